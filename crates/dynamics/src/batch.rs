@@ -272,7 +272,8 @@ impl<R: Transpose<N>, const N: usize> Batch<R, N> {
             scene,
             settings,
         } = request;
-        let is_other = vehicle.leg_count() != self.legs
+        let is_other = !vehicle.has_hinged_legs()
+            || vehicle.leg_count() != self.legs
             || settings.rules(vehicle).contact != self.contact_rule;
         if settings.method() != Method::Located || is_other {
             return done(*key, land(vehicle, scene, settings));

@@ -4,3 +4,4 @@ pub mod kinematics;
 pub mod motion;
 pub mod response;
 pub mod state;
+pub mod three_struts;

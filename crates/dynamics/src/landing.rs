@@ -20,6 +20,7 @@ mod steadiness;
 mod step_attempt;
 mod stiffness;
 mod strut_peaks;
+mod three_struts;
 mod thrust;
 pub mod touchdown;
 mod trajectory;
@@ -28,7 +29,7 @@ mod within;
 
 use crate::outcome::Outcome;
 use crate::scene::{Scene, Settings};
-use crate::vehicle::Vehicle;
+use crate::vehicle::{Legs, Vehicle};
 
 use history::History;
 
@@ -36,7 +37,102 @@ pub(crate) use rates::final_rates;
 pub(crate) use simulation::{NextStart, Simulation};
 pub(crate) use step_attempt::{StepKind, TakeStep, Workspace};
 
-pub use record::{Energies, FinalRates, Instant, Landing, LegInstant, LegWork};
+pub use record::{
+    Energies, FinalRates, HingedPosture, Instant, Landing, LegInstant, LegPosture, LegWork,
+    ThreeStrutPosture,
+};
+
+/// A landing under way, whatever the legs of its vehicle.
+trait UnderWay {
+    /// Judges the touchdown and prepares the first step.
+    fn begin(&mut self) -> Result<(), Outcome>;
+    /// Takes a step.
+    fn step(&mut self) -> Result<(), Outcome>;
+    /// Returns whether all footpads have touched.
+    fn stands_on_all_feet(&self) -> bool;
+    /// Reports the end of the landing.
+    fn report_end(&mut self);
+    /// Its result.
+    fn result(&self, outcome: Outcome) -> Landing;
+}
+
+/// A landing on hinged legs, computed alone.
+struct Alone<'o> {
+    simulation: Simulation<'o>,
+    workspace: Workspace<f64>,
+}
+
+impl UnderWay for Alone<'_> {
+    fn begin(&mut self) -> Result<(), Outcome> {
+        self.simulation.begin()
+    }
+
+    fn step(&mut self) -> Result<(), Outcome> {
+        self.simulation.step(&mut self.workspace)
+    }
+
+    fn stands_on_all_feet(&self) -> bool {
+        let contacts = &self.simulation.trajectory.pad_contact;
+        contacts.iter().all(Option::is_some)
+    }
+
+    fn report_end(&mut self) {
+        self.simulation.trajectory.report_end();
+    }
+
+    fn result(&self, outcome: Outcome) -> Landing {
+        self.simulation.result(outcome)
+    }
+}
+
+/// Follows a landing to its outcome, and returns its result. Ends sooner once `goes_on`, asked before every step whether all
+/// footpads have touched by now, says no; what there is then has no outcome, which is [`Outcome::TimeExpired`], and is an
+/// error.
+fn follow(
+    mut landing: impl UnderWay,
+    mut goes_on: impl FnMut(bool) -> bool,
+) -> Result<Landing, Box<Landing>> {
+    let mut stepped = landing.begin();
+    loop {
+        match stepped {
+            Err(outcome) => {
+                landing.report_end();
+                return Ok(landing.result(outcome));
+            }
+            Ok(()) if goes_on(landing.stands_on_all_feet()) => stepped = landing.step(),
+            Ok(()) => return Err(Box::new(landing.result(Outcome::TimeExpired))),
+        }
+    }
+}
+
+/// Follows the landing of a vehicle as [`follow`] does. An infinite `interval` (s) reports nothing.
+fn land_while(
+    vehicle: &Vehicle,
+    scene: &Scene,
+    settings: &Settings,
+    interval: f64,
+    observe: &mut dyn FnMut(&Instant),
+    goes_on: impl FnMut(bool) -> bool,
+) -> Result<Landing, Box<Landing>> {
+    let history = interval
+        .is_finite()
+        .then(|| History::new(interval, observe));
+    match vehicle.legs() {
+        Legs::Hinged(_) => {
+            let simulation = Simulation::new(vehicle, scene, settings, history);
+            let workspace = Workspace::new(&simulation.trajectory.motion);
+            let landing = Alone {
+                simulation,
+                workspace,
+            };
+            follow(landing, goes_on)
+        }
+        Legs::ThreeStrut(legs) => {
+            let landing = three_struts::Simulation::new(vehicle, legs, scene, settings, history);
+            follow(landing, goes_on)
+        }
+    }
+}
 
 /// Computes a landing with its events located. Reports its state every `interval` seconds from first contact on, and at
 /// the end.
@@ -47,13 +143,8 @@ pub fn land_located(
     interval: f64,
     observe: &mut dyn FnMut(&Instant),
 ) -> Landing {
-    let history = interval
-        .is_finite()
-        .then(|| History::new(interval, observe));
-    let mut simulation = Simulation::new(vehicle, scene, settings, history);
-    let outcome = simulation.run(&mut Workspace::new(&simulation.trajectory.motion));
-    simulation.trajectory.report_end();
-    simulation.result(outcome)
+    let landed = land_while(vehicle, scene, settings, interval, observe, |_| true);
+    landed.unwrap_or_else(|unfinished| *unfinished)
 }
 
 /// Like [`land_located`], but returns `None` once `goes_on`, asked before every step, says no. An infinite `interval`
@@ -66,38 +157,15 @@ pub fn land_located_while(
     observe: &mut dyn FnMut(&Instant),
     mut goes_on: impl FnMut() -> bool,
 ) -> Option<Landing> {
-    let history = interval
-        .is_finite()
-        .then(|| History::new(interval, observe));
-    let mut simulation = Simulation::new(vehicle, scene, settings, history);
-    let mut workspace = Workspace::new(&simulation.trajectory.motion);
-    let mut stepped = simulation.begin();
-    loop {
-        match stepped {
-            Err(outcome) => {
-                simulation.trajectory.report_end();
-                return Some(simulation.result(outcome));
-            }
-            Ok(()) if goes_on() => stepped = simulation.step(&mut workspace),
-            Ok(()) => return None,
-        }
-    }
+    land_while(vehicle, scene, settings, interval, observe, |_| goes_on()).ok()
 }
 
 /// Computes a landing with its events located, until all footpads have touched. If it has not ended by then, its
 /// outcome is [`Outcome::TimeExpired`].
 pub fn land_until_all_pads_touch(vehicle: &Vehicle, scene: &Scene, settings: &Settings) -> Landing {
-    let mut simulation = Simulation::new(vehicle, scene, settings, None);
-    let mut workspace = Workspace::new(&simulation.trajectory.motion);
-    let mut goes_on = simulation.begin();
-    while goes_on.is_ok()
-        && simulation
-            .trajectory
-            .pad_contact
-            .iter()
-            .any(Option::is_none)
-    {
-        goes_on = simulation.step(&mut workspace);
-    }
-    simulation.result(goes_on.err().unwrap_or(Outcome::TimeExpired))
+    let never = f64::INFINITY;
+    let landed = land_while(vehicle, scene, settings, never, &mut |_| {}, |stands| {
+        !stands
+    });
+    landed.unwrap_or_else(|unfinished| *unfinished)
 }

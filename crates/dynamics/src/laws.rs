@@ -8,3 +8,4 @@ pub mod leg_pieces;
 pub mod outcome;
 pub mod signal;
 pub mod strut;
+pub mod three_struts;

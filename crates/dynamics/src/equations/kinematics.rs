@@ -16,5 +16,5 @@ pub use body_frame::{BodyFrame, SeenGround, Surface};
 pub use leg_frame::{LegFrame, PointVelocity, SeenAlongLeg};
 pub use leg_geometry::LegGeometry;
 pub use leg_pose::LegPose;
-pub use local_ground::LegGround;
+pub use local_ground::{LegGround, LocalPlane};
 pub use plane::{PlaneDirection, PlanePoint, turned};

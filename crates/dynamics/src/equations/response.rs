@@ -15,6 +15,7 @@ use crate::scalar::Real;
 
 pub use factors::Factors;
 pub use stage::System;
+pub(super) use stage::turn;
 
 /// A small change of displacements or velocities of the body and one leg, or forces on them.
 #[derive(Debug, Clone, Copy)]

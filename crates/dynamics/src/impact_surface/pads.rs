@@ -59,7 +59,9 @@ pub(super) fn at_contact(
     let (Some(first), Some(last)) = (instants.first(), instants.last()) else {
         return Ok((Vector3::zeros(), Vector3::zeros()));
     };
-    let angles = &last.legs[leg];
+    let Some(angles) = last.legs[leg].hinged() else {
+        return Ok((Vector3::zeros(), Vector3::zeros()));
+    };
     let sections = centroids(vehicle, leg, angles.link_angle, angles.pad_angle);
     let matrix = last.attitude.matrix();
     let (sine, cosine) = sincos(scene.conditions().slope);

@@ -421,6 +421,11 @@ impl Vehicle {
         }
     }
 
+    /// Returns whether the legs turn about one hinge.
+    pub fn has_hinged_legs(&self) -> bool {
+        matches!(self.legs, Legs::Hinged(_))
+    }
+
     /// The legs that turn about one hinge: all or none.
     pub fn hinged_legs(&self) -> &[Leg] {
         match &self.legs {

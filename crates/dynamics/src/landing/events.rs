@@ -9,7 +9,7 @@ use crate::motion::{Signal, Signals};
 use crate::outcome::{Failure, Outcome};
 
 /// Law changes at one instant that count as chattering.
-const MOST_CHANGES: usize = 64;
+pub(super) const MOST_CHANGES: usize = 64;
 
 impl Trajectory<'_> {
     /// Finds the first fraction of the step at which a law changes its active piece, and the one of the `buffers` with

@@ -255,10 +255,12 @@ impl Instant {
                 let leg = state.leg(j);
                 let sets = feet[j].sets;
                 LegInstant {
-                    link_angle: leg.link_angle,
-                    link_rate: leg.link_rate,
-                    pad_angle: feet[j].pad_angle,
-                    pad_rate: leg.pad_rate,
+                    posture: LegPosture::Hinged(HingedPosture {
+                        link_angle: leg.link_angle,
+                        link_rate: leg.link_rate,
+                        pad_angle: feet[j].pad_angle,
+                        pad_rate: leg.pad_rate,
+                    }),
                     stroke: signals.of(j, Signal::Stroke),
                     strut_force: loads[j].strut,
                     pad_normal: loads[j].pad_normal,
@@ -298,9 +300,18 @@ impl Foot {
     }
 }
 
-/// One leg at one instant.
+/// Posture of a leg at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LegInstant {
+pub enum LegPosture {
+    /// Of a leg that turns about one hinge.
+    Hinged(HingedPosture),
+    /// Of a leg of three struts.
+    ThreeStrut(ThreeStrutPosture),
+}
+
+/// Posture of a leg that turns about one hinge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HingedPosture {
     /// Lower-link angle γ, rad.
     pub link_angle: f64,
     /// Its rate γ̇, rad/s.
@@ -309,7 +320,25 @@ pub struct LegInstant {
     pub pad_angle: f64,
     /// Its rate state α̇, rad/s (winds up while the pad presses on a stop).
     pub pad_rate: f64,
-    /// Strut stroke δ, ft.
+}
+
+/// Posture of a leg of three struts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ThreeStrutPosture {
+    /// Foot from the CG in vehicle axes, ft.
+    pub foot: Vector3<f64>,
+    /// Strokes of the secondary struts, ft, shorter is positive: first the one at the lesser azimuth.
+    pub secondary_strokes: [f64; 2],
+    /// Their loads, lb, compression positive.
+    pub secondary_forces: [f64; 2],
+}
+
+/// One leg at one instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LegInstant {
+    /// Its posture.
+    pub posture: LegPosture,
+    /// Stroke δ of the strut, or of the primary strut, ft.
     pub stroke: f64,
     /// Strut force, lb, compression positive; zero off the surface and on the extension stop.
     pub strut_force: f64,
@@ -329,4 +358,22 @@ pub struct LegInstant {
     pub sinkages: Option<Sinkages>,
     /// Work done on this leg's elements since first contact.
     pub work: LegWork,
+}
+
+impl LegInstant {
+    /// Its posture, if it turns about one hinge.
+    pub fn hinged(&self) -> Option<&HingedPosture> {
+        match &self.posture {
+            LegPosture::Hinged(posture) => Some(posture),
+            LegPosture::ThreeStrut(_) => None,
+        }
+    }
+
+    /// Its posture, if it has three struts.
+    pub fn three_strut(&self) -> Option<&ThreeStrutPosture> {
+        match &self.posture {
+            LegPosture::Hinged(_) => None,
+            LegPosture::ThreeStrut(posture) => Some(posture),
+        }
+    }
 }

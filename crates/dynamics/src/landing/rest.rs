@@ -13,7 +13,7 @@ use super::hull::{Hull, MOST_SUPPORTS};
 use super::trajectory::Trajectory;
 use crate::energy::kinetic;
 use crate::kinematics::BodyFrame;
-use crate::motion::{LegLoads, Signal};
+use crate::motion::Signal;
 use crate::scene::Scene;
 use crate::vehicle::Vehicle;
 
@@ -46,19 +46,22 @@ pub(super) struct Rest {
 }
 
 /// A foot or block that the vehicle stands on, or will after a small fall.
-struct Support {
-    leg: usize,
-    is_foot: bool,
+pub(super) struct Support {
+    pub(super) leg: usize,
+    pub(super) is_foot: bool,
     /// Position from the point taken as the CG, ft; z is along the pull taken as the weight.
     place: Vector3<f64>,
     /// Fall left to its ground, ft.
-    fall: f64,
+    pub(super) fall: f64,
     /// Gradient of its ground in plan; its length is the tangent of the ground's slope.
     gradient: Vector2<f64>,
 }
 
+/// Supports of a vehicle.
+pub(super) type Supports = ArrayVec<Support, MOST_SUPPORTS>;
+
 /// Pull on the vehicle: its weight or, with an engine that stays on, weight and thrust together.
-struct Pull {
+pub(super) struct Pull {
     /// Force, lb.
     force: f64,
     /// Turns ground axes into axes with z along the pull.
@@ -67,6 +70,88 @@ struct Pull {
     beside: Vector3<f64>,
     /// Greatest share of the toppling energy that a vehicle held against it may have.
     share: f64,
+}
+
+/// A landing as the judge of rest sees it.
+pub(super) trait Standing {
+    /// Time after first contact, s.
+    fn time(&self) -> f64;
+    /// Mass, slug.
+    fn mass(&self) -> f64;
+    /// Kinetic energy, ft·lb.
+    fn kinetic_energy(&self) -> f64;
+    /// Velocity of the CG in ground axes, ft/s.
+    fn velocity(&self) -> Vector3<f64>;
+    /// Distance of the farthest foot from the CG, ft.
+    fn farthest_foot(&self) -> f64;
+    /// Pull on a vehicle that comes to rest; `None` while the thrust still changes or lifts it.
+    fn pull_at_rest(&self) -> Option<Pull>;
+    /// All feet and blocks that can bear.
+    fn supports(&self, pull: &Pull) -> Supports;
+    /// Returns whether a support sticks to its ground.
+    fn sticks(&self, support: &Support) -> bool;
+    /// Returns whether a support holds under loads up to `load` (lb): no element crushes faster than `creep` (ft/s) under less
+    /// than that, nor beyond its limit.
+    fn bears(&self, support: &Support, load: f64, creep: f64) -> bool;
+}
+
+impl Pull {
+    /// The weight (lb) of a vehicle without thrust.
+    pub(super) fn of_weight(weight: f64) -> Self {
+        Self {
+            force: weight,
+            axes: Matrix3::identity(),
+            beside: Vector3::zeros(),
+            share: SHARE,
+        }
+    }
+
+    /// Weight (lb), and the force of an engine that stays on (ground axes, lb) with its moment about the CG (ft·lb), unless
+    /// they lift the vehicle.
+    pub(super) fn of_weight_and_thrust(
+        weight: f64,
+        pushed: &Vector3<f64>,
+        moment: &Vector3<f64>,
+    ) -> Option<Self> {
+        let pull: Vector3<f64> = Vector3::new(0.0, 0.0, weight) + pushed;
+        let squared = pull.norm_squared();
+        let down = pull / sqrt(squared);
+        (down.z > 0.0).then(|| {
+            let across = Vector3::y().cross(&down).normalize();
+            let along = down.cross(&across);
+            Self {
+                force: sqrt(squared),
+                axes: Matrix3::from_rows(&[
+                    across.transpose(),
+                    along.transpose(),
+                    down.transpose(),
+                ]),
+                beside: pull.cross(moment) / squared,
+                share: SHARE_UNDER_THRUST,
+            }
+        })
+    }
+
+    /// The support of a leg at a place relative to the CG (ground axes, ft), with this `gap` (ft) to the ground of this inward
+    /// `normal` (ground axes). Ground that overhangs supports nothing.
+    pub(super) fn support(
+        &self,
+        leg: usize,
+        is_foot: bool,
+        place: &Vector3<f64>,
+        normal: &Vector3<f64>,
+        gap: f64,
+    ) -> Option<Support> {
+        let normal = self.axes * normal;
+        let facing = normal.z;
+        (facing > 0.0).then(|| Support {
+            leg,
+            is_foot,
+            place: self.axes * (place - self.beside),
+            fall: gap / facing,
+            gradient: normal.xy() / facing,
+        })
+    }
 }
 
 impl Rest {
@@ -85,30 +170,27 @@ impl Rest {
     /// Notes the present state. Returns whether the vehicle is at rest.
     #[cold]
     #[inline(never)]
-    pub(super) fn note(&mut self, trajectory: &Trajectory<'_>) -> bool {
-        let held = (trajectory.pull_at_rest()).filter(|pull| self.holds(trajectory, pull));
+    pub(super) fn note(&mut self, landing: &impl Standing) -> bool {
+        let held = (landing.pull_at_rest()).filter(|pull| self.holds(landing, pull));
         let Some(pull) = held else {
             self.since = None;
             return false;
         };
-        let since = *self.since.get_or_insert(trajectory.time);
-        let acceleration = pull.force / trajectory.motion.mass();
-        trajectory.time - since >= WHILE * free_fall(self.height, acceleration)
+        let time = landing.time();
+        let since = *self.since.get_or_insert(time);
+        let acceleration = pull.force / landing.mass();
+        time - since >= WHILE * free_fall(self.height, acceleration)
     }
 
     /// Returns whether supports hold the vehicle now.
-    fn holds(&self, trajectory: &Trajectory<'_>, pull: &Pull) -> bool {
-        let (motion, state) = (&trajectory.motion, &trajectory.step.before);
+    fn holds(&self, landing: &impl Standing, pull: &Pull) -> bool {
         // Height to which the energy of motion would lift the CG.
-        let lift = kinetic(motion, state) / pull.force;
-        let reach = |leg| foot(trajectory, leg).norm();
-        let farthest = (0..motion.leg_count()).map(reach).fold(0.0, f64::max);
-        if lift > pull.share * farthest {
+        let lift = landing.kinetic_energy() / pull.force;
+        if lift > pull.share * landing.farthest_foot() {
             return false;
         }
-        let frame = motion.frame(&state.body());
-        let speed = (pull.axes * state.body().velocity).xy().norm();
-        let mut supports = trajectory.supports(&frame, pull);
+        let speed = (pull.axes * landing.velocity()).xy().norm();
+        let mut supports = landing.supports(pull);
         supports.sort_by(|a, b| a.fall.total_cmp(&b.fall));
         let places: ArrayVec<Vector3<f64>, MOST_SUPPORTS> =
             supports.iter().map(|support| support.place).collect();
@@ -117,10 +199,12 @@ impl Rest {
             let fall = supports[count - 1].fall;
             hull.has_center()
                 && pull.share * hull.least_rise() - fall >= lift
-                && self.stops_by_friction(&supports[..count], speed, pull.force / motion.mass())
+                && self.stops_by_friction(&supports[..count], speed, pull.force / landing.mass())
                 && (supports[..count].iter().enumerate()).all(|(index, support)| {
                     let load = pull.force * hull.greatest_share(index);
-                    self.bears(trajectory, support, load, &frame)
+                    let may_slide = support.gradient.norm() > self.friction_under(support);
+                    (!may_slide || landing.sticks(support))
+                        && landing.bears(support, load, self.creep)
                 })
         })
     }
@@ -136,42 +220,6 @@ impl Rest {
 
     fn friction_under(&self, support: &Support) -> f64 {
         self.friction[usize::from(!support.is_foot)]
-    }
-
-    /// Returns whether a support neither gives way under loads up to `load` (lb) nor slides off its ground.
-    fn bears(
-        &self,
-        trajectory: &Trajectory<'_>,
-        support: &Support,
-        load: f64,
-        frame: &BodyFrame<f64>,
-    ) -> bool {
-        let leg = support.leg;
-        let (mode, laws) = (&trajectory.modes[leg], &trajectory.laws[leg]);
-        let signals = trajectory.signals.start().leg(leg);
-        let sliding = if support.is_foot {
-            Signal::PadSliding
-        } else {
-            Signal::BlockSliding
-        };
-        let sticks = support.fall > 0.0 || laws.is_viscous(signals[sliding as usize]);
-        if support.gradient.norm() > self.friction_under(support) && !sticks {
-            return false;
-        }
-        // An element that crushes under more than its share of the weight comes to rest by that.
-        if !support.is_foot {
-            return !mode.block_crushes(self.creep, signals)
-                || trajectory.loads(leg, frame).block_normal >= load;
-        }
-        if mode.pad_crushes(self.creep, signals) && trajectory.loads(leg, frame).pad_normal < load {
-            return false;
-        }
-        // The strut force that bears the load on the link (68), by virtual work.
-        let descent = foot_descent(trajectory, leg, frame);
-        let force = load * descent / signals[Signal::StrutLever as usize];
-        let gives_way =
-            mode.strut_crushes(self.creep, signals) && signals[Signal::StrutForce as usize] < force;
-        !gives_way && mode.strut_bears(laws, force)
     }
 }
 
@@ -189,54 +237,48 @@ fn foot_descent(trajectory: &Trajectory<'_>, leg: usize, frame: &BodyFrame<f64>)
     down[0] * swing.x + down[1] * swing.y + down[2] * swing.z
 }
 
-impl Trajectory<'_> {
-    /// Forces on a leg now.
-    fn loads(&self, leg: usize, frame: &BodyFrame<f64>) -> LegLoads<f64> {
-        (self.motion).leg_loads(leg, frame, &self.step.before, &self.pieces)
+impl Standing for Trajectory<'_> {
+    fn time(&self) -> f64 {
+        self.time
     }
 
-    /// Pull on a vehicle that comes to rest; `None` while the thrust still changes or lifts it.
+    fn mass(&self) -> f64 {
+        self.motion.mass()
+    }
+
+    fn kinetic_energy(&self) -> f64 {
+        kinetic(&self.motion, &self.step.before)
+    }
+
+    fn velocity(&self) -> Vector3<f64> {
+        self.step.before.body().velocity
+    }
+
+    fn farthest_foot(&self) -> f64 {
+        let reach = |leg| foot(self, leg).norm();
+        (0..self.leg_count()).map(reach).fold(0.0, f64::max)
+    }
+
     fn pull_at_rest(&self) -> Option<Pull> {
         self.weight_at_rest()?;
-        let weight = Vector3::new(0.0, 0.0, self.motion.mass() * self.motion.gravity());
+        let weight = self.motion.mass() * self.motion.gravity();
         let thrust = self.pieces.thrust().at(self.time);
         if thrust == 0.0 {
-            return Some(Pull {
-                force: weight.z,
-                axes: Matrix3::identity(),
-                beside: Vector3::zeros(),
-                share: SHARE,
-            });
+            return Some(Pull::of_weight(weight));
         }
         let frame = self.motion.frame(&self.step.before.body());
         let pushed = frame.rotation.column(2) * -thrust;
         let moment = (self.motion.thrust_place(&frame)).cross(&pushed);
-        let pull: Vector3<f64> = weight + pushed;
-        let squared = pull.norm_squared();
-        let down = pull / sqrt(squared);
-        (down.z > 0.0).then(|| {
-            let across = Vector3::y().cross(&down).normalize();
-            let along = down.cross(&across);
-            Pull {
-                force: sqrt(squared),
-                axes: Matrix3::from_rows(&[
-                    across.transpose(),
-                    along.transpose(),
-                    down.transpose(),
-                ]),
-                beside: pull.cross(&moment) / squared,
-                share: SHARE_UNDER_THRUST,
-            }
-        })
+        Pull::of_weight_and_thrust(weight, &pushed, &moment)
     }
 
-    /// All feet and blocks that can bear.
-    fn supports(&self, frame: &BodyFrame<f64>, pull: &Pull) -> ArrayVec<Support, MOST_SUPPORTS> {
+    fn supports(&self, pull: &Pull) -> Supports {
+        let frame = self.motion.frame(&self.step.before.body());
         let mut supports = ArrayVec::new();
         for leg in 0..self.leg_count() {
             let (mode, laws) = (&self.modes[leg], &self.laws[leg]);
             let signals = self.signals.start().leg(leg);
-            let grounds = self.motion.ground(leg, frame);
+            let grounds = self.motion.ground(leg, &frame);
             let places = [
                 foot(self, leg),
                 frame.seen_from_center_of_gravity(&self.motion.geometry(leg).block_face()),
@@ -249,20 +291,41 @@ impl Trajectory<'_> {
                 .into_iter()
                 .zip(grounds.iter().zip(places).zip(gaps))
             {
-                let normal = pull.axes * (frame.rotation * ground.normal);
-                let facing = normal.z;
-                let Some(gap) = gap.filter(|_| facing > 0.0) else {
-                    continue;
-                };
-                supports.push(Support {
-                    leg,
-                    is_foot,
-                    place: pull.axes * (place - pull.beside),
-                    fall: gap / facing,
-                    gradient: normal.xy() / facing,
-                });
+                let normal = frame.rotation * ground.normal;
+                let found = gap.and_then(|gap| pull.support(leg, is_foot, &place, &normal, gap));
+                supports.extend(found);
             }
         }
         supports
+    }
+
+    fn sticks(&self, support: &Support) -> bool {
+        let sliding = if support.is_foot {
+            Signal::PadSliding
+        } else {
+            Signal::BlockSliding
+        };
+        let speed_squared = self.signals.start().of(support.leg, sliding);
+        support.fall > 0.0 || self.laws[support.leg].is_viscous(speed_squared)
+    }
+
+    /// An element that crushes under more than its share of the weight comes to rest by that.
+    fn bears(&self, support: &Support, load: f64, creep: f64) -> bool {
+        let leg = support.leg;
+        let (mode, laws) = (&self.modes[leg], &self.laws[leg]);
+        let signals = self.signals.start().leg(leg);
+        let frame = self.motion.frame(&self.step.before.body());
+        let loads = || (self.motion).leg_loads(leg, &frame, &self.step.before, &self.pieces);
+        if !support.is_foot {
+            return !mode.block_crushes(creep, signals) || loads().block_normal >= load;
+        }
+        if mode.pad_crushes(creep, signals) && loads().pad_normal < load {
+            return false;
+        }
+        // The strut force that bears the load on the link (68), by virtual work.
+        let force = load * foot_descent(self, leg, &frame) / signals[Signal::StrutLever as usize];
+        let gives_way =
+            mode.strut_crushes(creep, signals) && signals[Signal::StrutForce as usize] < force;
+        !gives_way && mode.strut_bears(laws, force)
     }
 }

@@ -1,7 +1,5 @@
 //! A landing followed from step to step until its outcome.
 
-use std::convert::Infallible;
-
 use pulp::NullaryFnOnce;
 
 use super::history::History;
@@ -21,12 +19,12 @@ use crate::scene::{Scene, Settings};
 use crate::vehicle::Vehicle;
 
 /// First step after touchdown, s.
-const FIRST_STEP: f64 = 1e-4;
+pub(super) const FIRST_STEP: f64 = 1e-4;
 /// Events within `BURST_TIME` (s) that count as chattering too: the laws switch to and fro while time creeps.
 const BURST: u64 = 4000;
 const BURST_TIME: f64 = 1e-5;
 /// Steps, rejected ones included, before a landing is given up.
-const MOST_STEPS: u64 = 2_000_000;
+pub(super) const MOST_STEPS: u64 = 2_000_000;
 /// Greatest turn of the body in a step of free flight, rad, over the fourth root of the tolerance. The cubics through
 /// the depths of its feet at both ends are then accurate to about half of the tolerance.
 const TURN: f64 = 2.0;
@@ -90,18 +88,6 @@ impl<'o> Simulation<'o> {
             kind: StepKind::Explicit,
             is_kind_known: false,
         }
-    }
-
-    /// Follows the landing to its outcome.
-    pub(super) fn run(&mut self, workspace: &mut Workspace<f64>) -> Outcome {
-        let mut landing = || {
-            self.begin()?;
-            loop {
-                self.step(workspace)?;
-            }
-        };
-        let Err(outcome): Result<Infallible, _> = landing();
-        outcome
     }
 
     /// Judges the touchdown and prepares the first step.

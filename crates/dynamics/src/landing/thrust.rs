@@ -49,13 +49,20 @@ impl Trajectory<'_> {
         if self.pieces.thrust().is_none() {
             return self.thrust_work;
         }
-        let half = 0.5 * reach;
-        let powers = GAUSS.map(|[node, weight]| {
-            let theta = half * (1.0 + node);
+        let power = summed(reach, |theta| {
             let state = self.motion_at(theta);
             let thrust = self.pieces.thrust().at(self.time_at(theta));
-            weight * thrust * self.motion.speed_along_thrust(&state)
+            [thrust, self.motion.speed_along_thrust(&state)]
         });
-        self.thrust_work + half * self.step.length * powers.iter().sum::<f64>()
+        self.thrust_work + 0.5 * reach * self.step.length * power
     }
+}
+
+/// Twice the mean, from fraction 0 to `reach` of a step, of the product of two quantities.
+pub(super) fn summed(reach: f64, quantities: impl Fn(f64) -> [f64; 2]) -> f64 {
+    let products = GAUSS.map(|[node, weight]| {
+        let [thrust, speed] = quantities(0.5 * reach * (1.0 + node));
+        weight * thrust * speed
+    });
+    products.iter().sum::<f64>()
 }

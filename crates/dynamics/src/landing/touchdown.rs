@@ -6,7 +6,7 @@ use nalgebra::{Vector3, Vector4};
 use crate::extremes::greatest;
 use crate::motion::Motion;
 use crate::per_leg::PerLeg;
-use crate::scene::Scene;
+use crate::scene::{Conditions, Scene};
 use crate::state::{Body, LegState, State};
 use crate::vehicle::Vehicle;
 
@@ -25,14 +25,12 @@ pub fn extended_legs(vehicle: &Vehicle) -> PerLeg<LegState<f64>> {
     })
 }
 
-/// State at first contact: CG above the origin, the lowest pad section centroid on the surface.
-pub fn touchdown(vehicle: &Vehicle, scene: &Scene, motion: &Motion<f64>) -> State<f64> {
-    let conditions = scene.conditions();
+/// The body at first contact, with its CG at the origin.
+pub(super) fn body_at_touchdown(conditions: &Conditions) -> Body<f64> {
     let [w, x, y, z] = conditions.attitude.quaternion();
     let (sin_cross, cos_cross) = sincos(conditions.cross_slope);
     let speed = conditions.horizontal_velocity;
-    let legs = extended_legs(vehicle);
-    let mut body = Body {
+    Body {
         position: Vector3::zeros(),
         velocity: Vector3::new(
             -speed * sin_cross,
@@ -41,7 +39,14 @@ pub fn touchdown(vehicle: &Vehicle, scene: &Scene, motion: &Motion<f64>) -> Stat
         ),
         quaternion: Vector4::new(w, x, y, z),
         rate: Vector3::from(conditions.angular_velocity),
-    };
+    }
+}
+
+/// State at first contact: CG above the origin, the lowest pad section centroid on the surface.
+pub fn touchdown(vehicle: &Vehicle, scene: &Scene, motion: &Motion<f64>) -> State<f64> {
+    let conditions = scene.conditions();
+    let legs = extended_legs(vehicle);
+    let mut body = body_at_touchdown(conditions);
     let frame = motion.frame(&body);
     let rises = (0..legs.len()).flat_map(|j| {
         let geometry = motion.geometry(j);

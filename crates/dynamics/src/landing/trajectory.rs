@@ -32,6 +32,17 @@ const WORK_SHARE: f64 = 0.01;
 const EVENT_RESOLUTION: f64 = 1e-3;
 const EVENT_RESOLUTION_LIMITS: [f64; 2] = [1e-12, 1e-7];
 
+/// Time resolution of events, s.
+pub(super) fn event_resolution(settings: &Settings) -> f64 {
+    let [finest, coarsest] = EVENT_RESOLUTION_LIMITS;
+    (EVENT_RESOLUTION * settings.tolerance()).clamp(finest, coarsest)
+}
+
+/// Work error allowed per step of a landing with this energy, ft·lb.
+pub(super) fn work_error(settings: &Settings, energy: f64) -> f64 {
+    WORK_SHARE * settings.tolerance() * energy
+}
+
 /// The previous step.
 pub(super) struct Earlier {
     /// Accelerations of the links at its start, rad/s².
@@ -108,8 +119,6 @@ impl<'o> Trajectory<'o> {
         let rules = settings.rules(vehicle);
         let motion = Motion::new(vehicle, scene).with_contact_rule(rules.contact);
         let legs = motion.leg_count();
-        let [finest, coarsest] = EVENT_RESOLUTION_LIMITS;
-        let resolution = (EVENT_RESOLUTION * settings.tolerance()).clamp(finest, coarsest);
         let laws: ArrayVec<LegLaws, MOST_LEGS> = (vehicle.hinged_legs().iter())
             .map(|leg| {
                 leg.laws()
@@ -132,7 +141,7 @@ impl<'o> Trajectory<'o> {
             settings: *settings,
             monitor: StabilityMonitor::new(rules, vehicle, scene),
             stiffness: Stiffness::new(settings, rules.contact),
-            event_resolution: resolution,
+            event_resolution: event_resolution(settings),
             energy,
             motion,
             locates_kinks: settings.tolerance() <= KINKS_LOCATED,
@@ -179,7 +188,7 @@ impl<'o> Trajectory<'o> {
 
     /// Work error allowed per step, ft·lb.
     pub(crate) fn greatest_work_error(&self) -> f64 {
-        WORK_SHARE * self.settings.tolerance() * self.energy
+        work_error(&self.settings, self.energy)
     }
 
     /// Returns whether a step of this length (s) is stiff.

@@ -8,6 +8,7 @@ mod on_soil;
 
 use std::sync::Arc;
 
+use crate::crush_load::CrushLoad;
 use crate::integrator::event::{Bounds, Exit};
 use crate::lanes::per_lane;
 use crate::parts::{Honeycomb, PadEdge};
@@ -109,8 +110,30 @@ impl CrushLaw {
 
     /// The law of a strut's cartridge: load (lb) stands for pressure, stroke for interference.
     pub fn of_cartridge(honeycomb: &Honeycomb) -> Self {
-        let front = honeycomb.crush_load.front(honeycomb.unloading_stiffness);
-        Self::of_segments(front, 0.0)
+        Self::of_load(&honeycomb.crush_load, honeycomb.unloading_stiffness)
+    }
+
+    /// The law of a strut that crushes under this load, and unloads and reloads at a stiffness, lb/ft.
+    pub fn of_load(load: &CrushLoad, stiffness: f64) -> Self {
+        Self::of_segments(load.front(stiffness), 0.0)
+    }
+
+    /// The law of a spring of this stiffness, lb/ft, which never crushes.
+    pub fn elastic(stiffness: f64) -> Self {
+        let line = Segment {
+            offset: 0.0,
+            slope: stiffness,
+            upper: f64::INFINITY,
+        };
+        Self::of_segments(vec![line], 0.0)
+    }
+
+    /// The elastic line of an element without a set.
+    pub fn elastic_line(&self) -> PressureLine<f64> {
+        PressureLine {
+            offset: 0.0,
+            slope: self.elastic_slope,
+        }
     }
 
     /// The law of a footpad's edge: load (lb) stands for pressure, depth for interference. The edge reaches its load at
@@ -373,6 +396,11 @@ impl Crush {
             _ if self.set > 0.0 && self.onset.is_finite() => self.onset,
             _ => self.set,
         }
+    }
+
+    /// Interferences short of the one at which the front is met.
+    pub fn up_to_onset(&self) -> Bounds {
+        Bounds::below(self.onset).widened(SLACK)
     }
 
     /// Range of the interference over which the active line holds and, where contact without pressure is watched, over

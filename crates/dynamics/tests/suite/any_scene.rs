@@ -35,11 +35,12 @@ fn is_finite(instant: &Instant) -> bool {
         instant.potential_change,
     ];
     let legs = instant.legs.iter().flat_map(|leg| {
+        let posture = leg.hinged().unwrap();
         [
-            leg.link_angle,
-            leg.link_rate,
-            leg.pad_angle,
-            leg.pad_rate,
+            posture.link_angle,
+            posture.link_rate,
+            posture.pad_angle,
+            posture.pad_rate,
             leg.stroke,
             leg.strut_force,
             leg.pad_normal,

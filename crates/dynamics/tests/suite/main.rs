@@ -32,4 +32,5 @@ mod sample_run;
 mod soil;
 mod symmetry;
 mod table_4_3;
+mod three_struts;
 mod thrust;

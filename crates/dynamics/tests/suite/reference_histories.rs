@@ -29,8 +29,9 @@ fn measured(instant: &Instant) -> Vec<(String, f64, f64)> {
     angle("xi".into(), euler.roll);
     angle("sigma".into(), instant.stability_angle);
     for (index, leg) in instant.legs.iter().enumerate() {
-        angle(format!("g{}", index + 1), leg.link_angle);
-        angle(format!("a{}", index + 1), leg.pad_angle);
+        let posture = leg.hinged().unwrap();
+        angle(format!("g{}", index + 1), posture.link_angle);
+        angle(format!("a{}", index + 1), posture.pad_angle);
     }
     all
 }

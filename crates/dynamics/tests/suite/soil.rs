@@ -164,7 +164,8 @@ fn pads_sink_by_the_work_that_they_take() {
     // On a pad inclined by ξ, (29) has the factor (1 + cos²ξ)/2 on what a depth along its centreline takes.
     let inclined = instants
         .iter()
-        .map(|at| at.legs[0].link_angle - at.legs[0].pad_angle);
+        .map(|at| at.legs[0].hinged().unwrap())
+        .map(|posture| posture.link_angle - posture.pad_angle);
     let cosine = inclined.map(f64::cos).fold(1.0, f64::min);
     let least = 0.5 * (1.0 + cosine * cosine) * work;
     let taken = landing.energies.legs[0].pad_crush;

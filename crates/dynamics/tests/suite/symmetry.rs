@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use touchdown_dynamics::attitude::{Attitude, Euler, Tip};
 use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::{Class, Failure, Outcome};
+use touchdown_dynamics::landing::LegInstant;
 use touchdown_dynamics::record::{Instant, Landing};
 use touchdown_dynamics::rules::Rules;
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
@@ -127,10 +128,11 @@ fn apart(
     let motion = (instants.iter().zip(images).take(compared))
         .flat_map(|(instant, other)| {
             let position = (image_position(instant.position) - other.position).norm();
+            let link = |leg: &LegInstant| leg.hinged().unwrap().link_angle;
             let links = image_leg
                 .iter()
                 .zip(&instant.legs)
-                .map(|(&image, leg)| leg.link_angle - other.legs[image].link_angle);
+                .map(move |(&image, leg)| link(leg) - link(&other.legs[image]));
             links.chain([position, instant.clearance - other.clearance])
         })
         .fold(0.0, |worst: f64, off| worst.max(off.abs()));

@@ -149,28 +149,73 @@ pub const OF_BODY: [Column<Instant>; 18] = [
 ];
 
 /// Columns of each leg.
-pub const OF_LEG: [Column<LegInstant>; 21] = [
+pub const OF_LEG: [Column<LegInstant>; 28] = [
     Column::number(
         "gamma_#_deg",
-        |leg| Some(leg.link_angle.to_degrees()),
+        |leg| leg.hinged().map(|posture| posture.link_angle.to_degrees()),
         "lower-link angle γ; grows as the strut extends",
     ),
     Column::number(
         "gamma_rate_#_dps",
-        |leg| Some(leg.link_rate.to_degrees()),
+        |leg| leg.hinged().map(|posture| posture.link_rate.to_degrees()),
         "its rate γ̇",
     ),
     Column::number(
         "alpha_#_deg",
-        |leg| Some(leg.pad_angle.to_degrees()),
+        |leg| leg.hinged().map(|posture| posture.pad_angle.to_degrees()),
         "footpad angle α",
     ),
     Column::number(
         "alpha_rate_#_dps",
-        |leg| Some(leg.pad_rate.to_degrees()),
+        |leg| leg.hinged().map(|posture| posture.pad_rate.to_degrees()),
         "its rate state α̇, which goes on integrating while the pad presses on a stop",
     ),
-    Column::number("stroke_#_ft", |leg| Some(leg.stroke), "strut stroke δ"),
+    Column::number(
+        "foot_x_#_ft",
+        |leg| leg.three_strut().map(|posture| posture.foot.x),
+        "foot from the CG, along x of vehicle axes; legs of three struts only, as the next six",
+    ),
+    Column::number(
+        "foot_y_#_ft",
+        |leg| leg.three_strut().map(|posture| posture.foot.y),
+        "the same along y",
+    ),
+    Column::number(
+        "foot_z_#_ft",
+        |leg| leg.three_strut().map(|posture| posture.foot.z),
+        "the same along z (down the centreline)",
+    ),
+    Column::number(
+        "stroke_a_#_ft",
+        |leg| {
+            leg.three_strut()
+                .map(|posture| posture.secondary_strokes[0])
+        },
+        "stroke of the secondary strut at the lesser azimuth; shorter is positive",
+    ),
+    Column::number(
+        "stroke_b_#_ft",
+        |leg| {
+            leg.three_strut()
+                .map(|posture| posture.secondary_strokes[1])
+        },
+        "stroke of the other secondary strut",
+    ),
+    Column::number(
+        "strut_force_a_#_lb",
+        |leg| leg.three_strut().map(|posture| posture.secondary_forces[0]),
+        "load of the secondary strut at the lesser azimuth, compression positive",
+    ),
+    Column::number(
+        "strut_force_b_#_lb",
+        |leg| leg.three_strut().map(|posture| posture.secondary_forces[1]),
+        "load of the other secondary strut",
+    ),
+    Column::number(
+        "stroke_#_ft",
+        |leg| Some(leg.stroke),
+        "strut stroke δ; of the primary strut of three",
+    ),
     Column::number(
         "strut_force_#_lb",
         |leg| Some(leg.strut_force),
@@ -286,15 +331,17 @@ pub fn values(instant: &Instant) -> Vec<f64> {
 mod tests {
     use super::*;
     use touchdown_dynamics::attitude::{Attitude, Euler};
-    use touchdown_dynamics::landing::LegWork;
+    use touchdown_dynamics::landing::{HingedPosture, LegPosture, LegWork};
 
     #[test]
     fn headings_carry_units_and_leg_numbers() {
         let leg = LegInstant {
-            link_angle: 0.0,
-            link_rate: 0.0,
-            pad_angle: 0.0,
-            pad_rate: 0.0,
+            posture: LegPosture::Hinged(HingedPosture {
+                link_angle: 0.0,
+                link_rate: 0.0,
+                pad_angle: 0.0,
+                pad_rate: 0.0,
+            }),
             stroke: 0.125,
             strut_force: 185.0,
             pad_normal: 0.0,

@@ -4,7 +4,7 @@ use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::outcome::{Class, Outcome};
 use touchdown_dynamics::per_leg::PerLeg;
 use touchdown_dynamics::scene::Scene;
-use touchdown_dynamics::vehicle::Vehicle;
+use touchdown_dynamics::vehicle::{Legs, Vehicle};
 
 use crate::contact_warnings::ContactWarnings;
 
@@ -49,8 +49,8 @@ pub struct Margins {
 pub struct Scales {
     /// Time of free fall of the CG from its height at touchdown, s.
     pub fall_time: f64,
-    /// Stroke at which each strut bottoms, ft.
-    pub strokes: PerLeg<f64>,
+    /// Stroke at which each strut bottoms, ft; `None` for legs of three struts, of which any may bottom.
+    pub strokes: Option<PerLeg<f64>>,
 }
 
 impl Scales {
@@ -58,10 +58,13 @@ impl Scales {
     pub fn of(vehicle: &Vehicle, scene: &Scene) -> Self {
         Self {
             fall_time: (2.0 * vehicle.standing_height() / scene.gravity(vehicle)).sqrt(),
-            strokes: PerLeg::from_fn(vehicle.leg_count(), |j| {
-                let strut = &vehicle.hinged_legs()[j].design().strut;
-                strut.extended_length - strut.minimum_length
-            }),
+            strokes: match vehicle.legs() {
+                Legs::Hinged(legs) => Some(PerLeg::from_fn(legs.len(), |j| {
+                    let strut = &legs[j].design().strut;
+                    strut.extended_length - strut.minimum_length
+                })),
+                Legs::ThreeStrut(_) => None,
+            },
         }
     }
 }
@@ -115,12 +118,13 @@ fn toppling(landing: &Landing, scales: &Scales) -> Option<f64> {
 }
 
 fn bottoming(landing: &Landing, scales: &Scales) -> Option<f64> {
+    let strokes = scales.strokes.as_ref()?;
     match landing.outcome {
         Outcome::Bottomed { leg } => {
             let rates = &landing.final_rates;
             let (rate, braking) = (rates.strokes[leg], -rates.stroke_accelerations[leg]);
             let beyond = rate * rate / (2.0 * braking);
-            return (braking > 0.0).then(|| -beyond / scales.strokes[leg]);
+            return (braking > 0.0).then(|| -beyond / strokes[leg]);
         }
         // The struts' remaining stroke is no margin for these.
         Outcome::BottomedPad { .. } | Outcome::BottomedBlock { .. } => return None,
@@ -129,7 +133,7 @@ fn bottoming(landing: &Landing, scales: &Scales) -> Option<f64> {
     let left = landing
         .max_stroke
         .iter()
-        .zip(&scales.strokes)
+        .zip(strokes)
         .map(|(stroke, whole)| 1.0 - stroke / whole);
     Some(left.fold(1.0, f64::min))
 }

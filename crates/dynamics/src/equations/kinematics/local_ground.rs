@@ -26,9 +26,9 @@ per_lane!(LegGround {
     unevenness,
 });
 
-/// A plane: the depth of a point p below it is n·p + offset.
+/// A plane: the depth of a point p (ground axes, ft) below it is n·p + offset.
 #[derive(Debug, Clone, Copy)]
-struct LocalPlane<S> {
+pub struct LocalPlane<S> {
     /// Inward normal in ground axes.
     normal: Vector3<S>,
     /// In ft.
@@ -65,8 +65,9 @@ impl LegGround<f64> {
 }
 
 impl LocalPlane<f64> {
-    /// The plane of a patch through the point that lies `height` over the surface on the vertical of `place`.
-    fn new(patch: &Patch, slope: f64, place: Vector3<f64>) -> Self {
+    /// The plane of a patch on a slope (rad) through the point that lies the patch's height over the surface on the vertical
+    /// of `place` (from the CG at first contact, ground axes, ft).
+    pub fn new(patch: &Patch, slope: f64, place: Vector3<f64>) -> Self {
         let (sine, cosine) = sincos(slope);
         let (sin_along, cos_along) = sincos(slope + patch.tilt_along);
         let (sin_across, cos_across) = sincos(patch.tilt_across);
@@ -80,6 +81,23 @@ impl LocalPlane<f64> {
                 patch.height
             },
         }
+    }
+
+    /// Inward normal in ground axes.
+    pub fn normal(&self) -> &Vector3<f64> {
+        &self.normal
+    }
+
+    /// Depth below the plane of a point in ground axes, ft.
+    pub fn depth_of(&self, point: &Vector3<f64>) -> f64 {
+        self.normal.dot(point) + self.offset
+    }
+}
+
+impl<S: Real> LocalPlane<S> {
+    /// Vertical rise of a point to leave the plane, ft, from its depth (ft) below it.
+    pub fn rise(&self, depth: S) -> S {
+        depth / self.normal.z
     }
 }
 
@@ -102,6 +120,6 @@ impl<S: Real> LegGround<S> {
 
     /// Vertical rise of a point to leave the plane of the footpad, ft, from its depth (ft) below the plane.
     pub fn rise(&self, depth: S) -> S {
-        depth / self.pad.normal.z
+        self.pad.rise(depth)
     }
 }

@@ -177,7 +177,7 @@ impl<S: Real> System<'_, S> {
 
 /// Rotation (vehicle axes) that a change of the quaternion (w, x, y, z) amounts to: twice the vector part of q⁻¹ ∘ δq.
 #[inline(always)]
-fn turn<S: Real>(quaternion: &Vector4<S>, change: &Vector4<S>) -> Vector3<S> {
+pub(crate) fn turn<S: Real>(quaternion: &Vector4<S>, change: &Vector4<S>) -> Vector3<S> {
     let (w, x, y, z) = (quaternion.x, quaternion.y, quaternion.z, quaternion.w);
     let d = change;
     Vector3::new(

@@ -94,10 +94,13 @@ impl LegColumns {
         frame: &BodyFrame<f64>,
         leg: &LegInstant,
     ) {
+        let Some(posture) = leg.hinged() else {
+            return;
+        };
         let geometry = motion.geometry(index);
         let [pad, block] = motion.ground(index, frame);
         let leg_frame = geometry.frame(frame, [&pad, &block]);
-        let pose = geometry.pose(&leg_frame, leg.link_angle, leg.pad_angle);
+        let pose = geometry.pose(&leg_frame, posture.link_angle, posture.pad_angle);
         let in_ground_axes =
             |along_leg: &Vector3<f64>| frame.rotation * geometry.in_vehicle_axes(along_leg);
         let force = |seen: &SeenGround<f64>,
@@ -110,7 +113,7 @@ impl LegColumns {
             };
             triple(&(against - frame.rotation * seen.normal * normal))
         };
-        let swing = geometry.link_length() * leg.link_rate;
+        let swing = geometry.link_length() * posture.link_rate;
         let of_pivot = leg_frame.pivot_velocity(&pose, swing);
         let of_block = leg_frame.block_velocity(&pose);
 
@@ -156,12 +159,12 @@ fn body(instant: &Instant) -> Body<f64> {
 
 /// The part of the state that determines the positions of the feet.
 fn state(body: &Body<f64>, instant: &Instant) -> State<f64> {
-    let legs: Vec<LegState<f64>> = (instant.legs.iter())
-        .map(|leg| LegState {
-            link_angle: leg.link_angle,
-            link_rate: leg.link_rate,
-            pad_turn: leg.pad_angle,
-            pad_rate: leg.pad_rate,
+    let legs: Vec<LegState<f64>> = (instant.legs.iter().filter_map(LegInstant::hinged))
+        .map(|posture| LegState {
+            link_angle: posture.link_angle,
+            link_rate: posture.link_rate,
+            pad_turn: posture.pad_angle,
+            pad_rate: posture.pad_rate,
             work: [0.0; 6],
         })
         .collect();

@@ -1,0 +1,188 @@
+//! The integrated state: rigid body, feet, and the work done on the elements of the legs.
+
+use nalgebra::{Vector3, Vector4};
+
+use crate::integrator::step::StateVector;
+use crate::per_leg::MOST_LEGS;
+use crate::state::Body;
+
+/// Numbers of the body.
+const BODY: usize = 13;
+/// Numbers of a foot's motion.
+const FOOT: usize = 6;
+/// Works on a leg: struts, crush of the footpad, its friction.
+pub const WORKS: usize = 3;
+/// Error of Simpson's rule as a share of its difference from the midpoint rule ([`crate::state`]).
+const SIMPSON_SHARE: f64 = 0.1;
+
+/// State of a vehicle, or its time derivative.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State {
+    motion: [f64; BODY + FOOT * MOST_LEGS],
+    works: [f64; WORKS * MOST_LEGS],
+    legs: usize,
+}
+
+/// One foot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FootState {
+    /// Position in ground axes, ft.
+    pub position: Vector3<f64>,
+    /// Velocity in ground axes, ft/s.
+    pub velocity: Vector3<f64>,
+}
+
+impl State {
+    /// A zero state with this many legs.
+    pub fn zero(legs: usize) -> Self {
+        Self {
+            motion: [0.0; BODY + FOOT * MOST_LEGS],
+            works: [0.0; WORKS * MOST_LEGS],
+            legs,
+        }
+    }
+
+    /// The rigid body.
+    pub fn body(&self) -> Body<f64> {
+        let b = &self.motion;
+        Body {
+            position: Vector3::new(b[0], b[1], b[2]),
+            velocity: Vector3::new(b[3], b[4], b[5]),
+            quaternion: Vector4::new(b[6], b[7], b[8], b[9]),
+            rate: Vector3::new(b[10], b[11], b[12]),
+        }
+    }
+
+    /// Writes the rigid body.
+    pub fn set_body(&mut self, body: &Body<f64>) {
+        self.motion[0..3].copy_from_slice(body.position.as_slice());
+        self.motion[3..6].copy_from_slice(body.velocity.as_slice());
+        self.motion[6..10].copy_from_slice(body.quaternion.as_slice());
+        self.motion[10..13].copy_from_slice(body.rate.as_slice());
+    }
+
+    /// The foot of leg `leg`.
+    pub fn foot(&self, leg: usize) -> FootState {
+        let f = &self.motion[BODY + FOOT * leg..][..FOOT];
+        FootState {
+            position: Vector3::new(f[0], f[1], f[2]),
+            velocity: Vector3::new(f[3], f[4], f[5]),
+        }
+    }
+
+    /// Writes the foot of leg `leg`.
+    pub fn set_foot(&mut self, leg: usize, foot: &FootState) {
+        let f = &mut self.motion[BODY + FOOT * leg..][..FOOT];
+        f[..3].copy_from_slice(foot.position.as_slice());
+        f[3..].copy_from_slice(foot.velocity.as_slice());
+    }
+
+    /// Work done on leg `leg` since first contact, ft·lb: on its struts, on its footpad by crushing and by sliding.
+    pub fn works(&self, leg: usize) -> [f64; WORKS] {
+        std::array::from_fn(|k| self.works[WORKS * leg + k])
+    }
+
+    /// Writes the work done on leg `leg`, ft·lb, or its rate.
+    pub fn set_works(&mut self, leg: usize, works: [f64; WORKS]) {
+        self.works[WORKS * leg..][..WORKS].copy_from_slice(&works);
+    }
+
+    /// Returns whether every number is finite.
+    pub fn is_finite(&self) -> bool {
+        (self.motion.iter().chain(&self.works)).all(|number| number.is_finite())
+    }
+
+    /// Sums the works by Simpson's rule over a step of length `h` from `before`, from their rates at its start, middle
+    /// and end. Writes an estimate of their error, over h.
+    pub(super) fn accumulate(
+        &mut self,
+        before: &Self,
+        h: f64,
+        slopes: [&Self; 3],
+        error: &mut Self,
+    ) {
+        let [first, middle, last] = slopes.map(|slope| &slope.works);
+        for i in 0..WORKS * self.legs {
+            let ends = first[i] + last[i];
+            self.works[i] = before.works[i] + h * (ends + 4.0 * middle[i]) / 6.0;
+            error.works[i] = SIMPSON_SHARE * (ends - 2.0 * middle[i]) / 6.0;
+        }
+    }
+
+    fn motion_numbers(&self) -> usize {
+        BODY + FOOT * self.legs
+    }
+}
+
+impl StateVector<f64> for State {
+    fn advance<const TERMS: usize>(
+        &self,
+        weights: [f64; TERMS],
+        slopes: [&Self; TERMS],
+        result: &mut Self,
+    ) {
+        self.advance_motion(weights, slopes, result);
+        for i in 0..WORKS * self.legs {
+            let change = (0..TERMS).map(|k| weights[k] * slopes[k].works[i]);
+            result.works[i] = self.works[i] + change.sum::<f64>();
+        }
+    }
+
+    fn advance_motion<const TERMS: usize>(
+        &self,
+        weights: [f64; TERMS],
+        slopes: [&Self; TERMS],
+        result: &mut Self,
+    ) {
+        for i in 0..self.motion_numbers() {
+            let change = (0..TERMS).map(|k| weights[k] * slopes[k].motion[i]);
+            result.motion[i] = self.motion[i] + change.sum::<f64>();
+        }
+    }
+
+    fn midway(&self, end: &Self, eighth: f64, [first, last]: [&Self; 2], middle: &mut Self) {
+        for i in 0..self.motion_numbers() {
+            middle.motion[i] = 0.5 * (self.motion[i] + end.motion[i])
+                + eighth * (first.motion[i] - last.motion[i]);
+        }
+    }
+
+    fn set_mean_rate(&mut self, start: &Self, end: &Self, length: f64) {
+        for i in 0..self.motion_numbers() {
+            self.motion[i] = (end.motion[i] - start.motion[i]) / length;
+        }
+        for i in 0..WORKS * self.legs {
+            self.works[i] = (end.works[i] - start.works[i]) / length;
+        }
+    }
+
+    fn set_motion_over(&mut self, change: &Self, length: f64) {
+        for i in 0..self.motion_numbers() {
+            self.motion[i] = change.motion[i] / length;
+        }
+    }
+
+    /// The motion is weighed by its own magnitude or one, whichever is greater, as that of a vehicle on hinged legs.
+    fn greatest_error<const TERMS: usize>(
+        weights: [f64; TERMS],
+        slopes: [&Self; TERMS],
+        before: &Self,
+        after: &Self,
+    ) -> [f64; 2] {
+        let mut greatest: f64 = 0.0;
+        // A maximum drops NaN, a sum keeps it.
+        let mut all = 0.0;
+        for i in 0..before.motion_numbers() {
+            let error: f64 = (0..TERMS).map(|k| weights[k] * slopes[k].motion[i]).sum();
+            let weight = before.motion[i].abs().max(after.motion[i].abs()).max(1.0);
+            greatest = greatest.max(error.abs() / weight);
+            all += error;
+        }
+        let mut work: f64 = 0.0;
+        for i in 0..WORKS * before.legs {
+            let error: f64 = (0..TERMS).map(|k| weights[k] * slopes[k].works[i]).sum();
+            work = work.max(error.abs());
+        }
+        [greatest + 0.0 * all, work]
+    }
+}

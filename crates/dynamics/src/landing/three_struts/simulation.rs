@@ -1,0 +1,423 @@
+//! A landing followed from step to step until its outcome.
+
+use arrayvec::ArrayVec;
+
+use super::extremes::Extremes;
+use crate::equations::three_struts::{Motion, Signals, State};
+use crate::integrator::event::{Guard, Sample, first_exit};
+use crate::integrator::rosenbrock::{EVALUATIONS, GAMMA, TIMES};
+use crate::integrator::step::Step;
+use crate::integrator::step_control::{LONGEST, SHORTEST, StepControl};
+use crate::landing::UnderWay;
+use crate::landing::events::MOST_CHANGES;
+use crate::landing::history::History;
+use crate::landing::record::{Beyond, Landing};
+use crate::landing::rest::{Rest, WHILE, free_fall};
+use crate::landing::simulation::{FIRST_STEP, MOST_STEPS};
+use crate::landing::steadiness::Steadiness;
+use crate::landing::touchdown::body_at_touchdown;
+use crate::landing::trajectory::{event_resolution, work_error};
+use crate::laws::three_struts::{LegLaws, LegMode, LegPieces, SIGNALS};
+use crate::outcome::{Class, Failure, Outcome};
+use crate::per_leg::{MOST_LEGS, PerLeg};
+use crate::rules::RestRule;
+use crate::scene::{Scene, Settings};
+use crate::three_strut_leg::ThreeStrutLeg;
+use crate::thrust::ThrustLine;
+use crate::vehicle::Vehicle;
+
+/// Most signals with ranges.
+const MOST_SIGNALS: usize = SIGNALS * MOST_LEGS;
+
+/// A landing under way.
+pub(in crate::landing) struct Simulation<'o> {
+    pub(super) scene: Scene,
+    pub(super) settings: Settings,
+    pub(super) motion: Motion,
+    pub(super) laws: ArrayVec<LegLaws, MOST_LEGS>,
+    pub(super) modes: PerLeg<LegMode>,
+    pub(super) pieces: PerLeg<LegPieces>,
+    guards: ArrayVec<Guard, MOST_SIGNALS>,
+    /// Time resolution of events, s.
+    resolution: f64,
+    /// Work error allowed per step, ft·lb.
+    work_error: f64,
+    pub(super) time: f64,
+    /// The start of this step is the present state and its derivative.
+    pub(super) step: Step<f64, State>,
+    stages: [State; 6],
+    /// Signals at the start, in the middle and at the end of the step.
+    pub(super) signals: [Signals; 3],
+    /// Signals at the points of the step between which an event was located.
+    buffers: [Signals; 3],
+    pub(super) thrust: ThrustLine<f64>,
+    /// Time of the thrust's next change of line, s, and its work so far, ft·lb.
+    pub(super) next_knot: f64,
+    pub(super) thrust_work: f64,
+    pub(super) start: State,
+    control: StepControl,
+    steadiness: Steadiness,
+    rest: Rest,
+    pub(super) extremes: Extremes,
+    /// Time that the CG has to be beyond the hull of the feet until the vehicle has toppled, s, and since when it has been.
+    while_beyond: f64,
+    beyond_since: Option<f64>,
+    /// Verdict beyond which the landing goes on, and its time, s.
+    noted: Option<(Outcome, f64)>,
+    pub(super) pad_contact: PerLeg<Option<f64>>,
+    pub(super) steps: u64,
+    attempts: u64,
+    pub(super) evaluations: u64,
+    pub(super) events: u64,
+    pub(super) history: Option<History<'o>>,
+}
+
+impl<'o> Simulation<'o> {
+    /// A landing at first contact.
+    pub(in crate::landing) fn new(
+        vehicle: &Vehicle,
+        legs: &[ThreeStrutLeg],
+        scene: &Scene,
+        settings: &Settings,
+        history: Option<History<'o>>,
+    ) -> Self {
+        let conditions = scene.conditions();
+        let motion = Motion::new(vehicle, legs, scene);
+        let laws: ArrayVec<LegLaws, MOST_LEGS> = (legs.iter())
+            .map(|leg| LegLaws::of(leg.design(), &conditions.soil, settings.friction_profile()))
+            .collect();
+        let modes = PerLeg::from_fn(legs.len(), |j| LegMode::untouched(&laws[j]));
+        let state = motion.at_first_contact(body_at_touchdown(conditions));
+        let height = vehicle.standing_height();
+        let gravity = scene.gravity(vehicle);
+        let energy = motion.kinetic(&state) + motion.total_mass() * gravity * height;
+        Self {
+            scene: *scene,
+            settings: *settings,
+            pieces: PerLeg::from_fn(legs.len(), |j| modes[j].pieces(&laws[j])),
+            guards: ArrayVec::new(),
+            resolution: event_resolution(settings),
+            work_error: work_error(settings, energy),
+            time: 0.0,
+            step: Step::from(state, State::zero(legs.len())),
+            stages: [State::zero(legs.len()); 6],
+            signals: [[[0.0; SIGNALS]; MOST_LEGS]; 3],
+            buffers: [[[0.0; SIGNALS]; MOST_LEGS]; 3],
+            thrust: ThrustLine::none(),
+            next_knot: if conditions.thrust.is_none() {
+                f64::INFINITY
+            } else {
+                0.0
+            },
+            thrust_work: 0.0,
+            start: state,
+            control: StepControl::new(FIRST_STEP),
+            steadiness: Steadiness::new(vehicle, scene, RestRule::Energy),
+            rest: Rest::new(vehicle, scene),
+            extremes: Extremes::none(legs.len()),
+            while_beyond: WHILE * free_fall(height, gravity),
+            beyond_since: None,
+            noted: None,
+            pad_contact: PerLeg::same(legs.len(), None),
+            steps: 0,
+            attempts: 0,
+            evaluations: 0,
+            events: 0,
+            history,
+            motion,
+            laws,
+            modes,
+        }
+    }
+
+    /// Number of legs.
+    pub(super) fn leg_count(&self) -> usize {
+        self.motion.leg_count()
+    }
+
+    /// Sets the line of the thrust from now on. Returns whether it is a new one.
+    fn follow_thrust(&mut self) -> bool {
+        if self.next_knot - self.time > SHORTEST {
+            return false;
+        }
+        (self.thrust, self.next_knot) = self.scene.conditions().thrust.line_from(self.next_knot);
+        true
+    }
+
+    /// Evaluates derivative and signals at the present state.
+    fn evaluate(&mut self) {
+        let thrust = self.thrust.at(self.time);
+        let Step { before, slopes, .. } = &mut self.step;
+        let [first, ..] = slopes;
+        (self.motion).evaluate(thrust, before, &self.pieces, first, &mut self.signals[0]);
+        self.evaluations += 1;
+    }
+
+    /// Sets the laws that hold from the present state on. One change can bring another, so this repeats until every
+    /// signal lies in its range.
+    fn settle(&mut self) -> Result<(), Outcome> {
+        for _ in 0..MOST_CHANGES {
+            self.choose_guards();
+            self.evaluate();
+            for (contact, mode) in self.pad_contact.iter_mut().zip(&self.modes) {
+                if mode.in_contact() {
+                    contact.get_or_insert(self.time);
+                }
+            }
+            if !self.cross()? {
+                return Ok(());
+            }
+        }
+        Err(Outcome::Failure(Failure::Chattering))
+    }
+
+    fn choose_guards(&mut self) {
+        self.guards.clear();
+        for (leg, (mode, laws)) in self.modes.iter().zip(&self.laws).enumerate() {
+            for (index, range) in mode.ranges(laws).into_iter().enumerate() {
+                if !range.is_free() {
+                    let signal = leg * SIGNALS + index;
+                    self.guards.push(Guard { signal, range });
+                }
+            }
+        }
+    }
+
+    /// Takes each leg past the first of its signals that is out of range. Returns whether any was.
+    fn cross(&mut self) -> Result<bool, Outcome> {
+        let mut crossed = false;
+        let mut last = None;
+        for guard in &self.guards {
+            let leg = guard.signal / SIGNALS;
+            let signals = &self.signals[0][leg];
+            let index = guard.signal % SIGNALS;
+            // The ranges of a leg's other signals change with it.
+            let Some(exit) = guard
+                .range
+                .exit(signals[index])
+                .filter(|_| last != Some(leg))
+            else {
+                continue;
+            };
+            (last, crossed) = (Some(leg), true);
+            self.events += 1;
+            self.modes[leg].cross(&self.laws[leg], leg, index, exit, signals)?;
+            self.pieces[leg] = self.modes[leg].pieces(&self.laws[leg]);
+        }
+        Ok(crossed)
+    }
+
+    /// Attempts a step of this length (s). Returns its error in units of the tolerance.
+    fn attempt(&mut self, length: f64) -> f64 {
+        let Self {
+            motion,
+            pieces,
+            step,
+            stages,
+            signals,
+            thrust,
+            ..
+        } = self;
+        let response = motion.respond(&step.before, pieces);
+        let equations = response.over(GAMMA * length);
+        let thrust_at = |fraction: f64| thrust.at(self.time + fraction * length);
+        let [_, at_middle, at_end] = signals;
+        let mut unread = *at_end;
+        let start = (!thrust.is_none()).then(|| {
+            let mut start = step.slopes[0];
+            let thrust = thrust_at(TIMES[0]);
+            motion.evaluate(thrust, &step.before, pieces, &mut start, &mut unread);
+            start
+        });
+        step.take_implicit(
+            length,
+            &equations,
+            stages,
+            start.as_ref(),
+            |fraction, state, slope| motion.derive(thrust_at(fraction), state, pieces, slope),
+            |state, slope| motion.evaluate(thrust_at(0.5), state, pieces, slope, at_middle),
+            |state, slope| motion.evaluate(thrust_at(1.0), state, pieces, slope, at_end),
+        );
+        self.evaluations += EVALUATIONS + u64::from(start.is_some());
+        let [motion, work] = self.step.error();
+        if motion.is_nan() {
+            return f64::INFINITY;
+        }
+        (motion / self.settings.tolerance()).max(work / self.work_error)
+    }
+
+    /// Finds the first fraction of the step at which a law changes its active piece, and the one of the `buffers` with the
+    /// signals there.
+    fn find_event(&mut self) -> Option<(f64, usize)> {
+        let Self {
+            motion,
+            pieces,
+            step,
+            signals: [start, middle, end],
+            ..
+        } = self;
+        let sample = |theta, signals| Sample { theta, signals };
+        let mut looks = 0;
+        let mut state = step.before;
+        let found = first_exit(
+            [
+                sample(0.0, &*start),
+                sample(0.5, &*middle),
+                sample(1.0, &*end),
+            ],
+            &self.guards,
+            self.resolution / step.length,
+            &mut self.buffers,
+            |theta, signals| {
+                looks += 1;
+                step.motion_at(theta, &mut state);
+                *signals = motion.signals(&state, pieces);
+            },
+        );
+        self.evaluations += looks;
+        found
+    }
+
+    /// Notes the first verdict of a landing that goes on beyond it.
+    ///
+    /// # Errors
+    /// The verdict, if it ends the landing.
+    fn conclude(&mut self, verdict: Outcome) -> Result<(), Outcome> {
+        if !self.settings.goes_on() {
+            return Err(verdict);
+        }
+        self.noted.get_or_insert((verdict, self.time));
+        Ok(())
+    }
+
+    /// Time at fraction θ of the step, s.
+    pub(super) fn time_at(&self, theta: f64) -> f64 {
+        self.time + theta * self.step.length
+    }
+
+    /// Goes on to the end of the step, or to an event within it.
+    fn finish_step(&mut self) -> Result<(), Outcome> {
+        if !self.step.after.is_finite() {
+            return Err(Outcome::Failure(Failure::NonFinite));
+        }
+        self.steps += 1;
+        let event = self.find_event();
+        let reach = event.map_or(1.0, |(theta, _)| theta);
+        let at_end = match event {
+            Some((_, buffer)) => self.buffers[buffer],
+            None => self.signals[2],
+        };
+        let angle = self.note_extremes(reach, &at_end);
+        self.report(reach);
+        self.thrust_work = self.thrust_work_at(reach);
+        let time = self.time_at(reach);
+        self.signals[0] = at_end;
+        if event.is_some() {
+            let mut state = self.step.before;
+            self.step.at(reach, &mut state);
+            (self.step.before, self.time) = (state, time);
+            self.control.restart();
+            self.cross()?;
+            self.settle()?;
+        } else {
+            self.time = time;
+            self.step.before = self.step.after;
+            self.step.slopes[0] = self.step.slopes[5];
+        }
+        self.judge(angle)
+    }
+
+    /// Judges the present state, at this stability angle (rad).
+    fn judge(&mut self, angle: f64) -> Result<(), Outcome> {
+        let since = self.beyond_since.unwrap_or(self.time);
+        self.beyond_since = (angle <= 0.0).then_some(since);
+        if self.noted.is_some() {
+            return Ok(());
+        }
+        if self.beyond_since.is_some() && self.time - since >= self.while_beyond {
+            return self.conclude(Outcome::UnstableToppled);
+        }
+        self.steadiness.note(self.time, angle);
+        let mut rest = self.rest.clone();
+        let at_rest = rest.note(self);
+        self.rest = rest;
+        if at_rest {
+            return self.conclude(Outcome::StableSubsided);
+        }
+        if !self.thrust.is_none() {
+            return Ok(());
+        }
+        let ends_early = self.settings.ends_early();
+        let body = self.step.before.body();
+        match self.steadiness.end(self.time, &body, ends_early) {
+            Some(outcome) => self.conclude(outcome),
+            None => Ok(()),
+        }
+    }
+}
+
+impl UnderWay for Simulation<'_> {
+    fn begin(&mut self) -> Result<(), Outcome> {
+        self.follow_thrust();
+        self.settle()?;
+        let angle = self.look(&self.step.before);
+        self.extremes.note_angle(angle, 0.0);
+        self.judge(angle.angle)
+    }
+
+    fn step(&mut self) -> Result<(), Outcome> {
+        if self.follow_thrust() {
+            self.evaluate();
+        }
+        let left = self.settings.time_limit() - self.time;
+        if self.attempts == MOST_STEPS {
+            return Err(Outcome::Failure(Failure::StepLimit));
+        }
+        if left < SHORTEST {
+            return Err(Outcome::TimeExpired);
+        }
+        self.attempts += 1;
+        let whole = self.control.proposed().min(LONGEST);
+        let length = whole.min(left).min(self.next_knot - self.time);
+        if length < SHORTEST {
+            return Err(Outcome::Failure(Failure::StepCollapse));
+        }
+        let error = self.attempt(length);
+        let order = self.step.weights.error_order;
+        if !self.control.accept(length, error, order) {
+            return Ok(());
+        }
+        if length < whole {
+            self.control.keep(whole);
+        }
+        self.finish_step()
+    }
+
+    fn stands_on_all_feet(&self) -> bool {
+        self.pad_contact.iter().all(Option::is_some)
+    }
+
+    fn report_end(&mut self) {
+        self.report_last();
+    }
+
+    /// The outcome of a landing that went on beyond its verdict is the verdict. One that ends otherwise than stable while
+    /// its CG is beyond the feet has toppled.
+    fn result(&self, outcome: Outcome) -> Landing {
+        let topples = self.beyond_since.is_some() && outcome.class() != Class::Stable;
+        let toppled = topples.then_some((Outcome::UnstableToppled, self.time));
+        let Some((verdict, time)) = self.noted.clone().or(toppled) else {
+            return self.account(outcome);
+        };
+        if !self.settings.goes_on() {
+            return self.account(verdict);
+        }
+        Landing {
+            beyond: Some(Beyond {
+                verdict_time: time,
+                end: outcome,
+            }),
+            ..self.account(verdict)
+        }
+    }
+}
