@@ -41,6 +41,13 @@ pub struct Request {
     pub settings: Settings,
 }
 
+impl Request {
+    /// Computes it alone.
+    fn land(&self) -> Landing {
+        land(&self.vehicle, &self.scene, &self.settings)
+    }
+}
+
 /// Occupancy of lanes.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Occupancy {
@@ -159,8 +166,15 @@ fn in_batch<R: Transpose<N>, const N: usize>(
     next: &mut dyn FnMut() -> Option<Request>,
     done: &mut dyn FnMut(usize, Landing),
 ) -> Occupancy {
-    let Some(first) = next() else {
-        return Occupancy::default();
+    // Lanes are made for hinged legs.
+    let first = loop {
+        let Some(request) = next() else {
+            return Occupancy::default();
+        };
+        if request.vehicle.has_hinged_legs() {
+            break request;
+        }
+        done(request.key, request.land());
     };
     let mut batch: Batch<R, N> = Batch::new(registers, &first);
     batch.start(&first, done);
@@ -263,8 +277,8 @@ impl<R: Transpose<N>, const N: usize> Batch<R, N> {
         }
     }
 
-    /// Starts a landing. One by a method of 1966, with another number of legs or another contact rule is computed at
-    /// once, without a lane.
+    /// Starts a landing. One by a method of 1966, with other legs, another number of them or another contact rule is
+    /// computed at once, without a lane.
     fn start(&mut self, request: &Request, done: &mut dyn FnMut(usize, Landing)) {
         let Request {
             key,
@@ -276,7 +290,7 @@ impl<R: Transpose<N>, const N: usize> Batch<R, N> {
             || vehicle.leg_count() != self.legs
             || settings.rules(vehicle).contact != self.contact_rule;
         if settings.method() != Method::Located || is_other {
-            return done(*key, land(vehicle, scene, settings));
+            return done(*key, request.land());
         }
         let member = Member {
             key: *key,

@@ -70,6 +70,8 @@ pub struct LegForces {
 pub(super) struct LegAction {
     /// Foot from the CG in vehicle axes, ft.
     pub(super) place: Vector3<f64>,
+    /// Its velocity in the body, ft/s.
+    pub(super) velocity: Vector3<f64>,
     pub(super) reaches: [Reach; STRUTS],
     pub(super) rates: [f64; STRUTS],
     pub(super) loads: [f64; STRUTS],
@@ -211,6 +213,7 @@ impl Motion {
         let sliding_squared = sliding.norm_squared();
         LegAction {
             place,
+            velocity,
             reaches,
             rates,
             loads,

@@ -186,3 +186,20 @@ impl StateVector<f64> for State {
         [greatest + 0.0 * all, work]
     }
 }
+
+#[cfg(test)]
+impl State {
+    /// The state that is one in a number of its motion and zero elsewhere.
+    pub(super) fn unit(legs: usize, number: usize) -> Self {
+        let mut state = Self::zero(legs);
+        state.motion[number] = 1.0;
+        state
+    }
+
+    /// Greatest magnitude of a number of its motion.
+    pub(super) fn greatest(&self) -> f64 {
+        self.motion
+            .iter()
+            .fold(0.0, |greatest: f64, number| greatest.max(number.abs()))
+    }
+}
