@@ -1,6 +1,7 @@
 //! Piecewise-linear tables: crush pressure against interference, strut multipliers against stroke.
 
-use crate::invalid::Invalid;
+use crate::invalid::{Invalid, require};
+use crate::quantity::Range;
 
 /// A continuous piecewise-linear function given by knots.
 ///
@@ -72,6 +73,36 @@ impl Profile {
     /// The knots, `[x, y]` each.
     pub fn knots(&self) -> &[[f64; 2]] {
         &self.knots
+    }
+
+    /// Checks that the table is a crush profile: it starts at zero pressure, and no later segment is steeper than the first,
+    /// the elastic line. Otherwise crushing would heal.
+    ///
+    /// # Errors
+    /// Names what is wrong by the `quantity` that the table is.
+    pub(crate) fn check_crush(&self, quantity: &str) -> Result<(), Invalid> {
+        require(
+            quantity,
+            self.knots[0][1],
+            "zero pressure at zero interference",
+            |p| p == 0.0,
+        )?;
+        let segments = self.segments();
+        let elastic = require(
+            &format!("{quantity} (slope of segment 1, 1/ft)"),
+            segments[0].slope,
+            &Range::POSITIVE.to_string(),
+            |slope| Range::POSITIVE.contains(slope),
+        )?;
+        for (index, segment) in segments.iter().enumerate().skip(1) {
+            require(
+                &format!("{quantity} (slope of segment {}, 1/ft)", index + 1),
+                segment.slope,
+                &format!("0 to that of the first segment, {elastic:.6}"),
+                |slope| slope >= 0.0 && slope <= elastic * (1.0 + 1e-6),
+            )?;
+        }
+        Ok(())
     }
 
     /// Slope of the first segment.

@@ -2,7 +2,6 @@
 
 use nalgebra::Vector3;
 
-use super::vehicle::crush_profile;
 use crate::invalid::{Invalid, require};
 use crate::quantities;
 use crate::quantity::check;
@@ -28,7 +27,7 @@ impl ThreeStrutLeg {
         check("secondary", &quantities::LEG_STRUT, &design.secondary)?;
         quantities::SPREAD.check("secondary", design.spread)?;
         check("footpad", &quantities::BALL_FOOTPAD, &design.footpad)?;
-        crush_profile("footpad.profile", &design.footpad.profile)?;
+        (design.footpad.profile).check_crush("footpad.profile")?;
 
         let [primary, secondary, _] = design.rest_lengths();
         for (table, strut, length) in [

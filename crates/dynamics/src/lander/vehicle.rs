@@ -19,9 +19,8 @@ use super::footprint::check_offset;
 use super::three_strut_leg::ThreeStrutLeg;
 use crate::invalid::{Invalid, require};
 use crate::per_leg::MOST_LEGS;
-use crate::profile::Profile;
 use crate::quantities;
-use crate::quantity::{Range, check};
+use crate::quantity::check;
 use crate::rules::Rules;
 
 /// Least number of legs that a vehicle stands on.
@@ -154,13 +153,13 @@ impl Leg {
             }
         }
         check("footpad", &quantities::FOOTPAD, footpad)?;
-        crush_profile("footpad.profile", &footpad.profile)?;
+        footpad.profile.check_crush("footpad.profile")?;
         if let Some(edge) = &footpad.edge {
             check("footpad", &quantities::EDGE, edge)?;
         }
         if let Some(block) = block {
             check("block", &quantities::BLOCK, block)?;
-            crush_profile("block.profile", &block.profile)?;
+            block.profile.check_crush("block.profile")?;
         }
 
         let extended_angle = extended_angle(linkage, strut)?;
@@ -211,33 +210,6 @@ impl Leg {
         let design = &self.design;
         design.linkage.lower_link_length * sin(self.extended_angle) + design.footpad.height
     }
-}
-
-/// Checks a crush profile. It starts at zero pressure, and no later segment is steeper than the first, the elastic
-/// line: otherwise crushing would heal.
-pub(super) fn crush_profile(quantity: &str, profile: &Profile) -> Result<(), Invalid> {
-    require(
-        quantity,
-        profile.knots()[0][1],
-        "zero pressure at zero interference",
-        |p| p == 0.0,
-    )?;
-    let segments = profile.segments();
-    let elastic = require(
-        &format!("{quantity} (slope of segment 1, 1/ft)"),
-        segments[0].slope,
-        &Range::POSITIVE.to_string(),
-        |slope| Range::POSITIVE.contains(slope),
-    )?;
-    for (index, segment) in segments.iter().enumerate().skip(1) {
-        require(
-            &format!("{quantity} (slope of segment {}, 1/ft)", index + 1),
-            segment.slope,
-            &format!("0 to that of the first segment, {elastic:.6}"),
-            |slope| slope >= 0.0 && slope <= elastic * (1.0 + 1e-6),
-        )?;
-    }
-    Ok(())
 }
 
 /// The legs by azimuth. They have to surround the centreline: with half a turn or more between two neighbours a vehicle

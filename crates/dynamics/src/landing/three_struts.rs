@@ -7,6 +7,7 @@
 
 mod account;
 mod extremes;
+mod peaks;
 mod simulation;
 mod standing;
 

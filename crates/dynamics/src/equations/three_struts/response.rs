@@ -378,9 +378,9 @@ mod tests {
             // Feet pressed into the ground, in the elastic range of their footpads, and sliding.
             let untouched = PerLeg::from_fn(3, |j| LegMode::untouched(&laws[j]).pieces(&laws[j]));
             let signals = motion.signals(&state, &untouched);
-            for j in 0..3 {
+            for (j, signals) in signals.iter().take(3).enumerate() {
                 let mut foot = state.foot(j);
-                let up = signals[j][INTERFERENCE] - 0.05;
+                let up = signals[INTERFERENCE] - 0.05;
                 foot.position -= motion.ground_normal(j) * up;
                 foot.velocity += Vector3::new(0.3, 0.1, -0.2);
                 state.set_foot(j, &foot);

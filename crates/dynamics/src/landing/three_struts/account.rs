@@ -6,6 +6,7 @@ use super::simulation::Simulation;
 use crate::attitude::Attitude;
 use crate::contact::Sinkages;
 use crate::equations::three_struts::State;
+use crate::integrator::step::StateVector;
 use crate::landing::hull::Hull;
 use crate::landing::record::{
     Energies, FinalRates, Instant, Landing, LegInstant, LegPosture, LegWork, ThreeStrutPosture,
@@ -153,12 +154,7 @@ impl Simulation<'_> {
         let (state, slope) = (&self.step.before, &self.step.slopes[0]);
         let moved = |span: f64| {
             let mut moved = *state;
-            crate::integrator::step::StateVector::advance_motion(
-                state,
-                [span],
-                [slope],
-                &mut moved,
-            );
+            state.advance_motion([span], [slope], &mut moved);
             moved
         };
         let angle = |state: &State| Hull::of(&self.motion.feet(state)).stability_angle();
