@@ -21,8 +21,10 @@ pub const INTERFERENCE_RATE: usize = 1;
 pub const SLIDING: usize = 2;
 pub const STROKES: Range<usize> = 3..6;
 pub const STROKE_RATES: Range<usize> = 6..9;
+/// Index of the load of the primary strut, lb: for the record, without a range.
+pub const LOAD: usize = 9;
 /// Number of signals of a leg.
-pub const SIGNALS: usize = 9;
+pub const SIGNALS: usize = 10;
 
 /// The signals of one leg.
 pub type LegSignals = [f64; SIGNALS];
@@ -287,6 +289,7 @@ impl LegMode {
                 self.struts[k].cross_stroke(&laws.struts[k], value);
             }
             _ => {
+                // The load has no range.
                 let k = signal - STROKE_RATES.start;
                 let stroke = signals[STROKES.start + k];
                 self.struts[k].cross_rate(&laws.struts[k], stroke, value);

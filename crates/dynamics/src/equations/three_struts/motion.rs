@@ -8,7 +8,7 @@ use crate::ground::Patch;
 use crate::integrator::event::SignalValues;
 use crate::kinematics::{LocalPlane, Surface};
 use crate::laws::three_struts::{
-    INTERFERENCE, INTERFERENCE_RATE, LegPieces, LegSignals, SIGNALS, SLIDING, STROKE_RATES,
+    INTERFERENCE, INTERFERENCE_RATE, LOAD, LegPieces, LegSignals, SIGNALS, SLIDING, STROKE_RATES,
     STROKES, STRUTS,
 };
 use crate::per_leg::{MOST_LEGS, PerLeg};
@@ -403,6 +403,7 @@ impl LegAction {
             signals[STROKES.start + k] = self.reaches[k].stroke;
             signals[STROKE_RATES.start + k] = self.rates[k];
         }
+        signals[LOAD] = self.loads[0];
         signals
     }
 }

@@ -14,7 +14,7 @@ use crate::response::turn;
 use crate::state::{Body, quaternion_rate, rotation};
 
 /// Displacement by which the push of the struts is differenced, ft.
-const DIFFERENCE: f64 = 1e-5;
+const DIFFERENCE: f64 = 1e-6;
 
 /// Derivatives of the forces at one state.
 #[derive(Debug, Clone)]
@@ -117,7 +117,7 @@ impl Motion {
         let columns = [0, 1, 2].map(|axis| {
             let mut step = Vector3::zeros();
             step[axis] = DIFFERENCE;
-            (push_at(&(action.place + step)) - push_at(&(action.place - step))) / (2.0 * DIFFERENCE)
+            (push_at(&(action.place + step)) - action.pull) / DIFFERENCE
         });
         let contact = &action.contact;
         let normal = frame.tr_mul(of_leg.ground.normal());

@@ -12,7 +12,7 @@ use crate::landing::record::{
     Energies, FinalRates, Instant, Landing, LegInstant, LegPosture, LegWork, ThreeStrutPosture,
 };
 use crate::landing::thrust::summed;
-use crate::laws::three_struts::{STROKE_RATES, STROKES};
+use crate::laws::three_struts::{STROKE_RATES, STROKES, STRUTS};
 use crate::outcome::Outcome;
 use crate::per_leg::PerLeg;
 use crate::state::rotation;
@@ -134,8 +134,14 @@ impl Simulation<'_> {
                 final_kinetic: self.motion.kinetic(state),
             },
             max_strut_force: self.extremes.force,
-            max_stroke: self.extremes.stroke,
-            max_stroke_share: self.extremes.stroke_share,
+            max_stroke: self.extremes.strokes.map(|[shorter, _]| -shorter[0]),
+            max_stroke_share: PerLeg::from_fn(legs, |j| {
+                let [shorter, longer] = self.extremes.strokes[j];
+                let share = |k: usize, stroke| self.laws[j].stroke_share(k, stroke);
+                (0..STRUTS).fold(0.0, |most: f64, k| {
+                    most.max(share(k, -shorter[k])).max(share(k, longer[k]))
+                })
+            }),
             max_stroke_table_share: PerLeg::same(legs, 0.0),
             max_pad_crush: pads.map(|[crush, ..]| crush),
             max_pad_crush_share: pads.map(|[crush, height, _]| crush / height),

@@ -1,6 +1,7 @@
 //! Extremes of a landing so far.
 
 use crate::integrator::parabola::Parabola;
+use crate::laws::three_struts::STRUTS;
 use crate::per_leg::PerLeg;
 
 /// Parabolas fitted to find an extreme between the nodes of a step.
@@ -14,10 +15,8 @@ pub(super) struct Extremes {
     pub(super) clearance: f64,
     /// Greatest magnitude of the load of each leg's primary strut, lb.
     pub(super) force: PerLeg<f64>,
-    /// Greatest stroke of each leg's primary strut, ft.
-    pub(super) stroke: PerLeg<f64>,
-    /// Greatest stroke of any strut of each leg, as a share of its limit.
-    pub(super) stroke_share: PerLeg<f64>,
+    /// Least negative strokes and least strokes of the struts of each leg, ft: how far they were shortened and lengthened.
+    pub(super) strokes: PerLeg<[[f64; STRUTS]; 2]>,
 }
 
 /// What decides stability, at one instant.
@@ -29,14 +28,21 @@ pub(super) struct Seen {
     pub(super) clearance: f64,
 }
 
+impl Seen {
+    /// Before the first look.
+    pub(super) const NOTHING: Self = Self {
+        angle: f64::INFINITY,
+        clearance: f64::INFINITY,
+    };
+}
+
 impl Extremes {
     pub(super) fn none(legs: usize) -> Self {
         Self {
             angle: (f64::INFINITY, 0.0),
             clearance: f64::INFINITY,
             force: PerLeg::same(legs, 0.0),
-            stroke: PerLeg::same(legs, 0.0),
-            stroke_share: PerLeg::same(legs, 0.0),
+            strokes: PerLeg::same(legs, [[0.0; STRUTS]; 2]),
         }
     }
 

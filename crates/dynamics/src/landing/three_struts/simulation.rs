@@ -2,7 +2,7 @@
 
 use arrayvec::ArrayVec;
 
-use super::extremes::Extremes;
+use super::extremes::{Extremes, Seen};
 use crate::equations::three_struts::{Motion, Signals, State};
 use crate::integrator::event::{Guard, Sample, first_exit};
 use crate::integrator::rosenbrock::{EVALUATIONS, GAMMA, TIMES};
@@ -58,6 +58,8 @@ pub(in crate::landing) struct Simulation<'o> {
     control: StepControl,
     steadiness: Steadiness,
     rest: Rest,
+    /// What is seen now.
+    pub(super) seen: Seen,
     pub(super) extremes: Extremes,
     /// Time that the CG has to be beyond the hull of the feet until the vehicle has toppled, s, and since when it has been.
     while_beyond: f64,
@@ -114,6 +116,7 @@ impl<'o> Simulation<'o> {
             control: StepControl::new(FIRST_STEP),
             steadiness: Steadiness::new(vehicle, scene, RestRule::Energy),
             rest: Rest::new(vehicle, scene),
+            seen: Seen::NOTHING,
             extremes: Extremes::none(legs.len()),
             while_beyond: WHILE * free_fall(height, gravity),
             beyond_since: None,
@@ -307,7 +310,7 @@ impl<'o> Simulation<'o> {
             Some((_, buffer)) => self.buffers[buffer],
             None => self.signals[2],
         };
-        let angle = self.note_extremes(reach, &at_end);
+        self.seen = self.note_extremes(reach, &at_end);
         self.report(reach);
         self.thrust_work = self.thrust_work_at(reach);
         let time = self.time_at(reach);
@@ -324,11 +327,12 @@ impl<'o> Simulation<'o> {
             self.step.before = self.step.after;
             self.step.slopes[0] = self.step.slopes[5];
         }
-        self.judge(angle)
+        self.judge()
     }
 
-    /// Judges the present state, at this stability angle (rad).
-    fn judge(&mut self, angle: f64) -> Result<(), Outcome> {
+    /// Judges the present state.
+    fn judge(&mut self) -> Result<(), Outcome> {
+        let angle = self.seen.angle;
         let since = self.beyond_since.unwrap_or(self.time);
         self.beyond_since = (angle <= 0.0).then_some(since);
         if self.noted.is_some() {
@@ -360,9 +364,9 @@ impl UnderWay for Simulation<'_> {
     fn begin(&mut self) -> Result<(), Outcome> {
         self.follow_thrust();
         self.settle()?;
-        let angle = self.look(&self.step.before);
-        self.extremes.note_angle(angle, 0.0);
-        self.judge(angle.angle)
+        self.seen = self.look(&self.step.before);
+        self.extremes.note_angle(self.seen, 0.0);
+        self.judge()
     }
 
     fn step(&mut self) -> Result<(), Outcome> {
