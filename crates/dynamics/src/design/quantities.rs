@@ -228,7 +228,7 @@ pub const LEG_STRUT: [Field<LegStrut>; 7] = [
     field!(damping: new(
         "damping_lb_s_per_ft", NOT_NEGATIVE, "force against the speed of the stroke, per speed")),
     field!(square_damping: new(
-        "square_damping_lb_s2_per_ft2", NOT_NEGATIVE, "force against the speed of the stroke, per square of the speed")
+        "square_damping", NOT_NEGATIVE, "force against the speed of the stroke, per square of the speed")
         .default(0.0)),
     field!(compression_stroke: new(
         "compression_stroke_ft", POSITIVE, "shortening at which the strut bottoms, which ends the landing")

@@ -1,9 +1,10 @@
 //! Units, which are suffixes of the names of columns and parameters.
 
 /// Units by the endings of names: those of 1966, then those of SI.
-const UNITS: [(&str, &str); 34] = [
+const UNITS: [(&str, &str); 36] = [
     ("_slug_ft2", "slug ft²"),
     ("_lb_per_ft", "lb/ft"),
+    ("_lb_s_per_ft", "lb s/ft"),
     ("_per_ft", "1/ft"),
     ("_fps2", "ft/s²"),
     ("_fps", "ft/s"),
@@ -26,6 +27,7 @@ const UNITS: [(&str, &str); 34] = [
     ("_mm", "mm"),
     ("_n", "N"),
     ("_n_per_m", "N/m"),
+    ("_n_s_per_m", "N s/m"),
     ("_n_s2_per_m2", "N s²/m²"),
     ("_pa", "Pa"),
     ("_kpa", "kPa"),

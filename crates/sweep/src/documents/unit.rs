@@ -33,7 +33,7 @@ const fn si(ending: &'static str, words: &'static str, factor: f64) -> SiUnit {
 
 /// One foot is 0.3048 m, one inch 0.0254 m and one pound-force 4.4482216152605 N. The other factors follow from these;
 /// the slug is 1 lb s2/ft.
-pub(crate) const UNITS: [Unit; 16] = [
+pub(crate) const UNITS: [Unit; 17] = [
     unit_of("_slug", "slug", &[si("_kg", "kg", 14.593902937206364)]),
     unit_of(
         "_slug_ft2",
@@ -63,6 +63,11 @@ pub(crate) const UNITS: [Unit; 16] = [
         "_lb_per_ft",
         "lb/ft",
         &[si("_n_per_m", "N/m", 14.593902937206364)],
+    ),
+    unit_of(
+        "_lb_s_per_ft",
+        "lb s/ft",
+        &[si("_n_s_per_m", "N s/m", 14.593902937206364)],
     ),
     unit_of(
         "_psf",

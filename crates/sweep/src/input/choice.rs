@@ -25,6 +25,33 @@ pub(crate) fn chosen_by<T: Copy>(
     })
 }
 
+/// Keys that only some kinds of a thing have: the word of each kind, and its own.
+pub(crate) type KeysOfKinds<'k> = [(&'static str, &'k [&'static str])];
+
+/// Refuses keys that only other kinds of the thing have.
+pub(crate) fn refuse_keys_of_others(
+    section: &Section,
+    thing: &str,
+    kinds: &KeysOfKinds,
+    own: &str,
+) -> Result<(), InputError> {
+    let has =
+        |kind: &str, key| (kinds.iter()).any(|(word, keys)| *word == kind && keys.contains(key));
+    let all = kinds.iter().flat_map(|(_, keys)| keys.iter());
+    let mut others = all.filter(|key| !has(own, key));
+    let Some((key, found)) = others.find_map(|key| Some((key, section.optional(key)?))) else {
+        return Ok(());
+    };
+    let words: Vec<String> = (kinds.iter())
+        .filter(|(_, keys)| keys.contains(key))
+        .map(|(word, _)| format!("\"{word}\""))
+        .collect();
+    Err(found.complain_that(&format!(
+        "only {thing}s of kind {} have this, and this one is of kind \"{own}\"",
+        words.join(" or ")
+    )))
+}
+
 /// Finds the choice of a word.
 pub fn chosen<T: Copy>(choices: &[(&str, T)], word: &str) -> Option<T> {
     let found = choices.iter().find(|(known, _)| *known == word);

@@ -1,7 +1,9 @@
 //! Numbers of the catalogue ([`touchdown_dynamics::quantities`]) as tables of input files have them.
 
+use touchdown_dynamics::quantities::TABLE_SCALE;
 use touchdown_dynamics::quantity::{Field, IfMissing, Quantity};
 
+use crate::document::dotted;
 use crate::input_error::InputError;
 use crate::section::Section;
 use crate::unit::unit;
@@ -51,6 +53,20 @@ pub(crate) fn quantities<T>(
     fields: &'static [Field<T>],
 ) -> impl Iterator<Item = &'static Quantity> {
     fields.iter().map(|field| &field.quantity)
+}
+
+/// The numbers of a part by their dotted names in a table.
+pub(crate) fn named<T>(
+    table: &'static str,
+    fields: &'static [Field<T>],
+) -> impl Iterator<Item = (String, &'static Quantity)> {
+    quantities(fields).map(move |quantity| (dotted(table, quantity.key), quantity))
+}
+
+/// The factor on a table of knots by its dotted name.
+pub(crate) fn scale(part: &str, table: &str) -> (String, &'static Quantity) {
+    let quantity = const { &TABLE_SCALE };
+    (format!("{part}.{table}.{}", quantity.key), quantity)
 }
 
 /// Reads the numbers of a part.

@@ -1,150 +1,128 @@
 //! Vehicle files: mass properties, and legs given once for all or one by one.
 
+mod hinged_leg;
+mod three_struts;
+
 use std::path::Path;
 
 use touchdown_dynamics::invalid::Invalid;
-use touchdown_dynamics::parts::PadEdge;
 use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::quantities;
-use touchdown_dynamics::quantity::{Field, Quantity};
+use touchdown_dynamics::quantity::Quantity;
 use touchdown_dynamics::rules::Rules;
-use touchdown_dynamics::vehicle::{
-    Block, Body, Damper, Footpad, Honeycomb, LEAST_LEGS, Leg, LegDesign, Strut, StrutElement,
-    Vehicle,
-};
+use touchdown_dynamics::three_struts::Arrangement;
+use touchdown_dynamics::vehicle::{Body, LEAST_LEGS, Legs, Vehicle};
 
-use crate::choice::{self, choice, chosen_by};
-use crate::document::{Document, Value, dotted};
+use crate::choice::{choice, chosen_by, refuse_keys_of_others, word};
+use crate::document::{Document, Value};
 use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::library::Library;
-use crate::numbers::{self, fill, joined, keys, read};
+use crate::numbers::{self, definite, joined, keys, named, read};
 use crate::section::Section;
 use crate::settings_input::RULES;
-use crate::vehicle_tables::{LOAD, MULTIPLIER, PRESSURE, crush_load, profile};
+use crate::vehicle_tables::{LOAD, MULTIPLIER, PRESSURE};
 
-pub(crate) const VEHICLE: [&str; 13] = joined(&[
+pub(crate) use hinged_leg::{BLOCK, FOOTPAD, LINKAGE, STRUT_KINDS, strut_keys};
+use hinged_leg::{DAMPER, HONEYCOMB, STRUT, numbers_of_a_leg};
+use three_struts::{BALL_FOOTPAD, FOOT};
+pub(crate) use three_struts::{PRIMARY, SECONDARY};
+
+pub(crate) const VEHICLE: [&str; 15] = joined(&[
     &["name", "rules"],
     &keys(&quantities::BODY),
     &keys(&quantities::OFFSET),
-    &[
-        INERTIA_TABLE,
-        "linkage",
-        "strut",
-        "footpad",
-        "block",
-        "legs",
-    ],
+    &[INERTIA_TABLE],
+    &LEG_TABLES,
+    &["legs"],
 ]);
 const INERTIA_TABLE: &str = "inertia_slug_ft2";
 pub(crate) const INERTIA: [&str; 6] = keys(&quantities::INERTIA);
-pub(crate) const LEG: [&str; 5] = joined(&[
-    &keys(&quantities::LEG),
-    &["linkage", "strut", "footpad", "block"],
-]);
-pub(crate) const LINKAGE: [&str; 5] = keys(&quantities::LINKAGE);
-/// Keys of struts of every kind.
-const STRUT: [&str; 4] = joined(&[&["kind"], &keys(&quantities::STRUT)]);
-const DAMPER: [&str; 8] = joined(&[&keys(&quantities::DAMPER), &DAMPER_TABLES]);
-const DAMPER_TABLES: [&str; 2] = ["spring_profile", "damping_profile"];
-const HONEYCOMB: [&str; 2] = joined(&[&keys(&quantities::HONEYCOMB), &[CRUSH_LOAD]]);
-const CRUSH_LOAD: &str = "crush_load";
-pub(crate) const FOOTPAD: [&str; 10] = joined(&[
-    &keys(&quantities::FOOTPAD),
-    &[PROFILE],
-    &keys(&quantities::EDGE),
-]);
-pub(crate) const BLOCK: [&str; 5] = joined(&[&keys(&quantities::BLOCK), &[PROFILE]]);
-/// The table of a footpad or a block.
-const PROFILE: &str = "profile";
+pub(crate) const LEG: [&str; 7] = joined(&[&keys(&quantities::LEG), &LEG_TABLES]);
+/// Tables of a leg of any kind.
+const LEG_TABLES: [&str; 6] = [
+    "linkage",
+    "strut",
+    "primary",
+    "secondary",
+    "footpad",
+    "block",
+];
 /// The keys of all tables.
-pub(crate) const KEYS: [&[&str]; 12] = [
+pub(crate) const KEYS: [&[&str]; 15] = [
     &VEHICLE,
     &INERTIA,
     &LEG,
     &LINKAGE,
+    &CANTILEVER,
     &STRUT,
     &DAMPER,
     &HONEYCOMB,
+    &PRIMARY,
+    &SECONDARY,
     &FOOTPAD,
     &BLOCK,
     &MULTIPLIER,
     &PRESSURE,
     &LOAD,
 ];
-/// Word in place of a table `[block]` for a leg without a block.
-const NO_BLOCK: &str = "none";
 
-/// Kind of a strut, by what carries the load.
+/// Kind of the legs of a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) enum StrutKind {
-    /// The Surveyor's shock absorber.
+pub(crate) enum LegKind {
+    /// Legs that turn about one hinge.
     #[default]
-    Damper,
-    /// A crushable cartridge.
-    Honeycomb,
+    Hinged,
+    /// Legs of three struts that end at the foot.
+    Tripod,
+    /// Legs of three struts, two of which end at a collar of the third.
+    Cantilever,
 }
 
 /// Words of the kinds.
-pub(crate) const STRUT_KINDS: [(&str, StrutKind); 2] = [
-    ("damper", StrutKind::Damper),
-    ("honeycomb", StrutKind::Honeycomb),
+pub(crate) const LEG_KINDS: [(&str, LegKind); 3] = [
+    ("hinged", LegKind::Hinged),
+    ("tripod", LegKind::Tripod),
+    ("cantilever", LegKind::Cantilever),
 ];
 
-impl StrutKind {
-    /// Keys that only struts of this kind have.
-    fn keys(self) -> &'static [&'static str] {
-        match self {
-            Self::Damper => &DAMPER,
-            Self::Honeycomb => &HONEYCOMB,
-        }
-    }
-}
+/// Keys of linkages of kind `"cantilever"`.
+const CANTILEVER: [&str; 4] = joined(&[&FOOT, &[quantities::COLLAR.key]]);
+/// Keys of a table [linkage] of any kind.
+pub(crate) const ANY_LINKAGE: [&str; 10] = joined(&[&["kind"], &LINKAGE, &CANTILEVER]);
 
-/// Keys of a table [strut] of any kind.
-pub(crate) fn strut_keys() -> Vec<&'static str> {
-    let of_kinds = STRUT_KINDS.iter().flat_map(|(_, kind)| kind.keys());
-    STRUT.iter().chain(of_kinds).copied().collect()
-}
+/// Tables of a leg, keys of its linkage and keys of its footpad that only legs of some kinds have.
+const TABLES_OF_KINDS: [(&str, &[&str]); 3] = [
+    ("hinged", &["strut", "block"]),
+    ("tripod", &["primary", "secondary"]),
+    ("cantilever", &["primary", "secondary"]),
+];
+const LINKAGES_OF_KINDS: [(&str, &[&str]); 3] = [
+    ("hinged", &LINKAGE),
+    ("tripod", &FOOT),
+    ("cantilever", &CANTILEVER),
+];
+const FOOTPADS_OF_KINDS: [(&str, &[&str]); 3] = [
+    ("hinged", &FOOTPAD),
+    ("tripod", &BALL_FOOTPAD),
+    ("cantilever", &BALL_FOOTPAD),
+];
 
-/// The numbers of each table of a leg; a table of knots counts by its scale.
-fn numbers_of_a_leg() -> impl Iterator<Item = (String, &'static Quantity)> {
-    let linkage = fields("linkage", &quantities::LINKAGE);
-    let strut = fields("strut", &quantities::STRUT)
-        .chain(fields("strut", &quantities::DAMPER))
-        .chain(DAMPER_TABLES.map(|table| scale("strut", table)))
-        .chain(fields("strut", &quantities::HONEYCOMB))
-        .chain([scale("strut", CRUSH_LOAD)]);
-    let footpad = fields("footpad", &quantities::FOOTPAD)
-        .chain([scale("footpad", PROFILE)])
-        .chain(fields("footpad", &quantities::EDGE));
-    let block = fields("block", &quantities::BLOCK).chain([scale("block", PROFILE)]);
-    linkage.chain(strut).chain(footpad).chain(block)
-}
-
-fn fields<T>(
-    table: &'static str,
-    fields: &'static [Field<T>],
-) -> impl Iterator<Item = (String, &'static Quantity)> {
-    numbers::quantities(fields).map(move |quantity| (dotted(table, quantity.key), quantity))
-}
-
-fn scale(part: &str, table: &str) -> (String, &'static Quantity) {
-    let quantity = &quantities::TABLE_SCALE;
-    (format!("{part}.{table}.{}", quantity.key), quantity)
+/// The numbers of a leg of any kind; those of footpads on ball joints are among those of all.
+fn numbers_of_any_leg() -> impl Iterator<Item = (String, &'static Quantity)> {
+    numbers_of_a_leg().chain(three_struts::own_numbers())
 }
 
 /// Dotted names of all numbers of a vehicle file with `legs` legs, with what they are.
 pub(crate) fn numbers(legs: usize) -> Vec<(String, &'static Quantity)> {
     let own = (1..=legs).flat_map(|leg| {
-        let azimuth = fields("", &quantities::LEG);
-        let numbers = azimuth.chain(numbers_of_a_leg());
+        let numbers = named("", &quantities::LEG).chain(numbers_of_any_leg());
         numbers.map(move |(name, quantity)| (format!("legs[{leg}].{name}"), quantity))
     });
-    fields("", &quantities::BODY)
-        .chain(fields("", &quantities::OFFSET))
-        .chain(fields(INERTIA_TABLE, &quantities::INERTIA))
-        .chain(numbers_of_a_leg())
+    named("", &quantities::BODY)
+        .chain(named("", &quantities::OFFSET))
+        .chain(named(INERTIA_TABLE, &quantities::INERTIA))
+        .chain(numbers_of_any_leg())
         .chain(own)
         .collect()
 }
@@ -228,21 +206,17 @@ impl VehicleFile {
         let root = Section::root(&document, &VEHICLE)?;
         let name = root.text("name")?.to_owned();
         let entries = root.sections("legs", &LEG)?;
-        let legs: Vec<Leg> = entries
-            .iter()
-            .map(|entry| leg(entry, &entry.over(&root)))
-            .collect::<Result<_, _>>()?;
-        if !(LEAST_LEGS..=MOST_LEGS).contains(&legs.len()) {
+        let legs = legs(&entries, &root)?;
+        if !(LEAST_LEGS..=MOST_LEGS).contains(&entries.len()) {
             let allowed = "three to eight tables [[legs]], one for each leg";
             return Err(match root.optional("legs") {
                 Some(found) => {
-                    found.complain_that(&format!("{} legs: expected {allowed}", legs.len()))
+                    found.complain_that(&format!("{} legs: expected {allowed}", entries.len()))
                 }
                 None => root.missing("legs", allowed),
             });
         }
-        let rules = (root.optional("rules"))
-            .map_or(Ok(Rules::PHYSICAL), |word| chosen_by(&word, &RULES))?;
+        let rules = rules(&root, &legs)?;
         let offset = read(&root, &quantities::OFFSET)?;
         let body: Body = read(&root, &quantities::BODY)?;
         let inertia = read(
@@ -270,94 +244,78 @@ impl VehicleFile {
     }
 }
 
+/// The legs of a vehicle, all of one kind.
+fn legs(own: &[Section], root: &Section) -> Result<Legs, InputError> {
+    let entries: Vec<Section> = own.iter().map(|own| own.over(root)).collect();
+    let linkages: Vec<Section> = (entries.iter())
+        .map(|entry| entry.section("linkage", &ANY_LINKAGE))
+        .collect::<Result<_, _>>()?;
+    let kind = kind(&linkages)?;
+    for (entry, linkage) in entries.iter().zip(&linkages) {
+        let own = word(&LEG_KINDS, kind);
+        refuse_keys_of_others(entry, "leg", &TABLES_OF_KINDS, own)?;
+        refuse_keys_of_others(linkage, "leg", &LINKAGES_OF_KINDS, own)?;
+        let footpad = entry.section("footpad", &FOOTPAD)?;
+        refuse_keys_of_others(&footpad, "leg", &FOOTPADS_OF_KINDS, own)?;
+    }
+    let legs = own.iter().zip(&entries).zip(&linkages);
+    if kind == LegKind::Hinged {
+        let legs = legs.map(|((own, entry), linkage)| hinged_leg::leg(own, entry, linkage));
+        return legs.collect::<Result<_, _>>().map(Legs::Hinged);
+    }
+    let legs = legs.map(|((own, entry), linkage)| {
+        let arrangement = match kind {
+            LegKind::Cantilever => Arrangement::Cantilever {
+                collar: definite(linkage, &quantities::COLLAR)?,
+            },
+            _ => Arrangement::Tripod,
+        };
+        three_struts::leg(own, entry, linkage, arrangement)
+    });
+    legs.collect::<Result<_, _>>().map(Legs::ThreeStrut)
+}
+
+/// The kind of all legs.
+fn kind(linkages: &[Section]) -> Result<LegKind, InputError> {
+    let kinds: Vec<LegKind> = (linkages.iter())
+        .map(|linkage| choice(linkage, "kind", &LEG_KINDS))
+        .collect::<Result<_, _>>()?;
+    let first = kinds.first().copied().unwrap_or_default();
+    let Some(other) = kinds.iter().position(|kind| *kind != first) else {
+        return Ok(first);
+    };
+    let given = [other, 0].map(|leg| linkages[leg].optional("kind"));
+    let words = [0, other].map(|leg| word(&LEG_KINDS, kinds[leg]));
+    let complaint = format!(
+        "leg 1 is of kind \"{}\" and leg {} of kind \"{}\": expected one kind for all legs",
+        words[0],
+        other + 1,
+        words[1]
+    );
+    Err(match given.into_iter().flatten().next() {
+        Some(found) => found.complain_that(&complaint),
+        None => InputError::other(complaint),
+    })
+}
+
+/// The rules of the vehicle.
+fn rules(root: &Section, legs: &Legs) -> Result<Rules, InputError> {
+    let Some(found) = root.optional("rules") else {
+        return Ok(Rules::PHYSICAL);
+    };
+    match (chosen_by(&found, &RULES)?, legs) {
+        (rules, Legs::ThreeStrut(_)) if rules != Rules::PHYSICAL => {
+            Err(found.complain("\"physical\": legs of three struts land by no other rules"))
+        }
+        (rules, _) => Ok(rules),
+    }
+}
+
 /// Index of the leg that an error is about, from 0, and the error in terms of its table.
 fn of_a_leg(invalid: &Invalid) -> Option<(usize, Invalid)> {
     let (number, key) = invalid.quantity.strip_prefix("legs[")?.split_once("].")?;
     let leg = number.parse::<usize>().ok()?.checked_sub(1)?;
     Some((leg, Invalid::new(key, invalid.value, &*invalid.allowed)))
-}
-
-/// Builds a leg from its own table, and from `entry`: its own table on top of the values for all legs.
-fn leg(own: &Section, entry: &Section) -> Result<Leg, InputError> {
-    let mut design = LegDesign {
-        azimuth: 0.0,
-        linkage: read(&entry.section("linkage", &LINKAGE)?, &quantities::LINKAGE)?,
-        strut: strut(&entry.section("strut", &strut_keys())?)?,
-        footpad: footpad(&entry.section("footpad", &FOOTPAD)?)?,
-        block: block(entry)?,
-    };
-    fill(own, &quantities::LEG, &mut design)?;
-    Leg::new(design).map_err(|invalid| entry.complain(&invalid))
-}
-
-fn strut(section: &Section) -> Result<Strut, InputError> {
-    let kind = choice(section, "kind", &STRUT_KINDS)?;
-    for (word, other) in STRUT_KINDS.iter().filter(|(_, other)| *other != kind) {
-        if let Some(found) = other.keys().iter().find_map(|key| section.optional(key)) {
-            return Err(found.complain_that(&format!(
-                "only struts of kind \"{word}\" have this, and this one is of kind \"{}\"",
-                choice::word(&STRUT_KINDS, kind)
-            )));
-        }
-    }
-    let mut strut = Strut::default();
-    fill(section, &quantities::STRUT, &mut strut)?;
-    strut.element = match kind {
-        StrutKind::Damper => StrutElement::Damper(damper(section)?),
-        StrutKind::Honeycomb => StrutElement::Honeycomb(honeycomb(section)?),
-    };
-    Ok(strut)
-}
-
-fn damper(section: &Section) -> Result<Damper, InputError> {
-    let [spring, damping] = DAMPER_TABLES;
-    let mut damper: Damper = read(section, &quantities::DAMPER)?;
-    damper.spring_profile = profile(section, spring, MULTIPLIER)?;
-    damper.damping_profile = profile(section, damping, MULTIPLIER)?;
-    Ok(damper)
-}
-
-fn honeycomb(section: &Section) -> Result<Honeycomb, InputError> {
-    let mut honeycomb = Honeycomb {
-        unloading_stiffness: 0.0,
-        crush_load: crush_load(section)?,
-    };
-    fill(section, &quantities::HONEYCOMB, &mut honeycomb)?;
-    Ok(honeycomb)
-}
-
-fn footpad(section: &Section) -> Result<Footpad, InputError> {
-    let mut footpad: Footpad = read(section, &quantities::FOOTPAD)?;
-    footpad.profile = profile(section, PROFILE, PRESSURE)?;
-    footpad.edge = edge(section)?;
-    Ok(footpad)
-}
-
-/// Load capacity of a footpad that has turned over; both keys or none.
-fn edge(section: &Section) -> Result<Option<PadEdge>, InputError> {
-    let both = || numbers::quantities(&quantities::EDGE);
-    if both().all(|quantity| section.optional(quantity.key).is_none()) {
-        return Ok(None);
-    }
-    for quantity in both() {
-        section.value(quantity.key, &numbers::explanation(quantity))?;
-    }
-    read(section, &quantities::EDGE).map(Some)
-}
-
-fn block(entry: &Section) -> Result<Option<Block>, InputError> {
-    if let Some(found) = entry.optional("block")
-        && let Ok(word) = found.text()
-    {
-        return match word {
-            NO_BLOCK => Ok(None),
-            _ => Err(found.complain("a table [block], or \"none\"")),
-        };
-    }
-    let section = entry.section("block", &BLOCK)?;
-    let mut block: Block = read(&section, &quantities::BLOCK)?;
-    block.profile = profile(&section, PROFILE, PRESSURE)?;
-    Ok(Some(block))
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Tables of a vehicle file: multipliers and crush loads against stroke, crush pressure against interference.
+//! Tables of a vehicle file: multipliers and loads against stroke, crush pressure against interference.
 
 use touchdown_dynamics::crush_load::CrushLoad;
 use touchdown_dynamics::profile::Profile;
@@ -17,9 +17,9 @@ pub(crate) const PRESSURE: [&str; 3] = ["interference_in", "relative_pressure", 
 pub(crate) const LOAD: [&str; 3] = ["stroke_in", "load_lb", SCALE];
 const SCALE: &str = TABLE_SCALE.key;
 
-/// Reads the table of a honeycomb cartridge. Strokes may repeat at a step of the load.
-pub(crate) fn crush_load(section: &Section) -> Result<CrushLoad, InputError> {
-    let table = section.section("crush_load", &LOAD)?;
+/// Reads a table of loads under which a strut gives for good. Strokes may repeat at a step of the load.
+pub(crate) fn crush_load(section: &Section, key: &str) -> Result<CrushLoad, InputError> {
+    let table = section.section(key, &LOAD)?;
     let scale = scale(&table)?;
     let [strokes, loads] = ["stroke_in", "load_lb"].map(|key| column(&table, key));
     let (strokes, loads) = (strokes?, loads?);

@@ -43,6 +43,8 @@ impl KeyTable {
 /// A key of an input file with a fixed set of words as values.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WordChoice {
+    /// Name of the table in which it is.
+    pub table: &'static str,
     /// The key.
     pub key: &'static str,
     /// The words.
@@ -64,13 +66,19 @@ pub fn tables() -> Vec<KeyTable> {
             .with(numbers(&quantities::OFFSET)),
         table("vehicle.inertia_slug_ft2", &vehicle_file::INERTIA)
             .with(numbers(&quantities::INERTIA)),
-        table("vehicle.linkage", &vehicle_file::LINKAGE).with(numbers(&quantities::LINKAGE)),
+        table("vehicle.linkage", &vehicle_file::ANY_LINKAGE)
+            .with(numbers(&quantities::LINKAGE))
+            .with(numbers(&quantities::FOOT))
+            .with(const { [&quantities::COLLAR] }),
         table("vehicle.strut", &vehicle_file::strut_keys())
             .with(numbers(&quantities::STRUT))
             .with(numbers(&quantities::DAMPER))
             .with(numbers(&quantities::HONEYCOMB)),
         table("vehicle.strut.profile", &vehicle_tables::MULTIPLIER).with(scale),
         table("vehicle.strut.crush_load", &vehicle_tables::LOAD).with(scale),
+        table("vehicle.secondary", &vehicle_file::SECONDARY)
+            .with(numbers(&quantities::LEG_STRUT))
+            .with(const { [&quantities::SPREAD] }),
         table("vehicle.footpad", &vehicle_file::FOOTPAD)
             .with(numbers(&quantities::FOOTPAD))
             .with(numbers(&quantities::EDGE)),
@@ -99,13 +107,13 @@ pub fn tables() -> Vec<KeyTable> {
 
 /// All keys whose values are words.
 pub fn word_choices() -> Vec<WordChoice> {
-    let choice = |key, words| WordChoice { key, words };
+    let choice = |table| move |(key, words)| WordChoice { table, key, words };
     let mut choices = vec![
-        choice("kind", words(&vehicle_file::STRUT_KINDS)),
-        choice("distribution", words(&sample_input::DISTRIBUTIONS)),
+        choice("vehicle.linkage")(("kind", words(&vehicle_file::LEG_KINDS))),
+        choice("vehicle.strut")(("kind", words(&vehicle_file::STRUT_KINDS))),
+        choice("sampled axis")(("distribution", words(&sample_input::DISTRIBUTIONS))),
     ];
-    let of_search = search_input::word_keys().into_iter();
-    let more = of_search.chain(settings_input::word_keys());
-    choices.extend(more.map(|(key, words)| choice(key, words)));
+    choices.extend(search_input::word_keys().map(choice("search")));
+    choices.extend(settings_input::word_keys().map(choice("solver")));
     choices
 }

@@ -37,6 +37,25 @@ fn honeycomb() -> String {
     format!("{before}{HONEYCOMB}[footpad]{after}")
 }
 
+const CANTILEVER: &str = "[linkage]\nkind = \"cantilever\"\nfoot_radius_ft = 6\nfoot_depth_ft = 2\n\
+     foot_mass_slug = 0.25\ncollar_ft = 2\n\
+     [primary]\nhardpoint_radius_ft = 2.5\nhardpoint_height_ft = 2\nstiffness_lb_per_ft = 1e5\n\
+     damping_lb_s_per_ft = 20\ncompression_stroke_ft = 1.5\ntension_stroke_ft = 0.125\n\
+     [secondary]\nhardpoint_radius_ft = 2.25\nhardpoint_height_ft = 0.5\nhardpoint_spread_ft = 1.25\n\
+     stiffness_lb_per_ft = 1e5\ndamping_lb_s_per_ft = 20\ncompression_stroke_ft = 0.5\n\
+     tension_stroke_ft = 0.75\ntension_load = { stroke_in = [0], load_lb = [500] }\n\
+     [footpad]\ndiameter_ft = 1\nheight_ft = 0.5\ncrush_pressure_psf = 1500\n";
+
+/// The Surveyor on legs with a collar.
+fn cantilever() -> String {
+    let (before, rest) = SURVEYOR.split_once("[linkage]").unwrap();
+    let (_, rest) = rest.split_once("[footpad.profile]").unwrap();
+    let (profile, rest) = rest.split_once("[block]").unwrap();
+    let (_, legs) = rest.split_once("[[legs]]").unwrap();
+    let before = before.replace("rules = \"1966\"", "rules = \"physical\"");
+    format!("{before}{CANTILEVER}[footpad.profile]{profile}[[legs]]{legs}")
+}
+
 const FOOT: f64 = 0.3048;
 const POUND: f64 = 4.4482216152605;
 
@@ -47,9 +66,10 @@ type ToSi = fn(f64) -> f64;
 type Unit = (&'static str, &'static [(&'static str, ToSi)]);
 
 /// The longer ending of two that fit comes first.
-const UNITS: [Unit; 14] = [
+const UNITS: [Unit; 15] = [
     ("_ftlb_s", &[("_nm_s", |x| x * POUND * FOOT)]),
     ("_lb_per_ft", &[("_n_per_m", |x| x * POUND / FOOT)]),
+    ("_lb_s_per_ft", &[("_n_s_per_m", |x| x * POUND / FOOT)]),
     ("_per_ft", &[("_per_m", |x| x / FOOT)]),
     ("_slug_ft2", &[("_kg_m2", |x| x * POUND * FOOT)]),
     ("_slug", &[("_kg", |x| x * POUND / FOOT)]),
@@ -282,7 +302,17 @@ fn every_key_with_a_unit_is_read_in_si() {
         let is_tip = |key: &str| key.contains("tip_") || key.contains("nominal_");
         checked += match table.name {
             "vehicle" => check(SURVEYOR, "", all, &vehicle),
-            "vehicle.linkage" => check(SURVEYOR, "[linkage]", all, &vehicle),
+            "vehicle.linkage" => {
+                let foot = keys(&|key| CANTILEVER.contains(&format!("\n{key} = ")));
+                let hinged = keys(&|key| !foot.contains(&key));
+                check(SURVEYOR, "[linkage]", &hinged, &vehicle)
+                    + check(&cantilever(), "[linkage]", &foot, &vehicle)
+            }
+            "vehicle.secondary" => {
+                let of_primary = keys(&|key| key != "hardpoint_spread_ft");
+                check(&cantilever(), "[primary]", &of_primary, &vehicle)
+                    + check(&cantilever(), "[secondary]", all, &vehicle)
+            }
             "vehicle.strut" => {
                 let cartridge = keys(&|key| HONEYCOMB.contains(&format!("\n{key} = ")));
                 let damper = keys(&|key| !key.starts_with("unloading"));
