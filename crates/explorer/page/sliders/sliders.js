@@ -8,7 +8,8 @@ import { NumberSlider } from "./slider.js";
 /** Groups in the order of the page. @type {[string, string][]} */
 const GROUPS = [
   ["touchdown", "Touchdown"], ["attitude", "Attitude"], ["ground", "Ground"], ["soil", "Soil"], ["thrust", "Thrust"], ["body", "Body"],
-  ["inertia", "Inertia"], ["linkage", "Linkage"], ["strut", "Strut"], ["footpad", "Footpad"], ["block", "Body block"],
+  ["inertia", "Inertia"], ["linkage", "Linkage"], ["strut", "Strut"],
+  ["primary", "Primary strut"], ["secondary", "Secondary struts"], ["footpad", "Footpad"], ["block", "Body block"],
   ["azimuth", "Azimuths of the legs"], ["footing", "Ground under each leg"], ["solver", "Solver"],
 ];
 const OPEN = new Set(["touchdown", "attitude", "ground"]);

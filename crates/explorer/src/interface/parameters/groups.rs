@@ -3,7 +3,7 @@
 use touchdown_dynamics::quantity::Quantity;
 
 /// All groups, in display order.
-const ORDER: [&str; 14] = [
+const ORDER: [&str; 16] = [
     "touchdown",
     "attitude",
     "ground",
@@ -13,6 +13,8 @@ const ORDER: [&str; 14] = [
     "inertia",
     "linkage",
     "strut",
+    "primary",
+    "secondary",
     "footpad",
     "block",
     "azimuth",
@@ -57,6 +59,8 @@ pub fn of(name: &str, quantity: &Quantity) -> (&'static str, Option<usize>) {
         "inertia_slug_ft2" => "inertia",
         "linkage" => "linkage",
         "strut" => "strut",
+        "primary" => "primary",
+        "secondary" => "secondary",
         "footpad" => "footpad",
         "block" => "block",
         "azimuth_deg" => "azimuth",
