@@ -8,6 +8,7 @@ mod footing;
 mod soil;
 mod thrust;
 
+use std::fmt;
 use std::sync::LazyLock;
 
 use thiserror::Error;
@@ -19,12 +20,13 @@ use touchdown_dynamics::quantity::{IfMissing, Quantity};
 use touchdown_dynamics::rules::ContactRule;
 use touchdown_dynamics::scene::{Conditions, Scene, Settings};
 use touchdown_dynamics::thrust::MOST_KNOTS;
-use touchdown_dynamics::vehicle::Vehicle;
+use touchdown_dynamics::vehicle::{Legs, Vehicle};
 
 use crate::document::dotted;
 use crate::input_error::InputError;
 use crate::numbers::explanation;
 use crate::section::{LocatedValue, Section};
+use crate::settings_input::choice_beside_three_struts;
 
 use attitude::{EULER, TIP};
 pub(crate) use footing::{FOOTING, FOOTING_KEYS};
@@ -126,9 +128,33 @@ pub struct SceneFault {
     /// Name of the condition.
     pub name: &'static str,
     /// Its value; `None` if missing.
-    pub value: Option<f64>,
+    pub value: Option<FaultyValue>,
     /// Allowed values.
     pub allowed: String,
+}
+
+/// The value of a condition, or of a choice of the solver, that is not allowed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FaultyValue {
+    /// A number in program units.
+    Number(f64),
+    /// A word.
+    Word(&'static str),
+}
+
+impl fmt::Display for FaultyValue {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(number) => write!(f, "{number}"),
+            Self::Word(word) => write!(f, "\"{word}\""),
+        }
+    }
+}
+
+impl From<f64> for FaultyValue {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
+    }
 }
 
 impl SceneFault {
@@ -228,13 +254,13 @@ impl NamedConditions {
         match (value, quantity) {
             (Some(value), Some(quantity)) if !quantity.range.contains(value) => Err(SceneFault {
                 name,
-                value: Some(value),
+                value: Some(value.into()),
                 allowed: quantity.range.to_string(),
             }),
             (Some(value), _) => Ok(value),
             (None, _) => Err(SceneFault {
                 name,
-                value,
+                value: None,
                 allowed: quantity.map_or_else(String::new, explanation),
             }),
         }
@@ -244,13 +270,23 @@ impl NamedConditions {
     ///
     /// # Errors
     /// As [`NamedConditions::scene`]; also if there is ground under a leg that the vehicle lacks, if the method does
-    /// not support thrust or the edges of footpads, or if the contact rule does not support hinge damping.
+    /// not support thrust or the edges of footpads, if the contact rule does not support hinge damping, or if the legs
+    /// do not support the method or a rule.
     pub fn scene_for(&self, vehicle: &Vehicle, settings: &Settings) -> Result<Scene, SceneFault> {
+        if matches!(vehicle.legs(), Legs::ThreeStrut(_))
+            && let Some((name, word, allowed)) = choice_beside_three_struts(settings)
+        {
+            return Err(SceneFault {
+                name,
+                value: Some(FaultyValue::Word(word)),
+                allowed: format!("\"{allowed}\": legs of three struts land by nothing else"),
+            });
+        }
         let is_located = settings.method() == Method::Located;
         if !self.thrust_knots().is_empty() && !is_located {
             return Err(SceneFault {
                 name: thrust::SCALE,
-                value: self.get(thrust::SCALE).or(Some(1.0)),
+                value: Some(self.get(thrust::SCALE).unwrap_or(1.0).into()),
                 allowed: "no thrust: only the method \"located\" knows it".to_owned(),
             });
         }
@@ -265,7 +301,7 @@ impl NamedConditions {
         {
             return Err(SceneFault {
                 name: "vehicle.footpad.hinge_damping_ftlb_s",
-                value: Some(damped.hinge_damping),
+                value: Some(damped.hinge_damping.into()),
                 allowed: "no damping: only the contact rule \"face\" knows it".to_owned(),
             });
         }
@@ -273,7 +309,7 @@ impl NamedConditions {
         if let Some(edge) = edge.filter(|_| !is_located) {
             return Err(SceneFault {
                 name: "vehicle.footpad.edge_load_lb",
-                value: Some(edge.load),
+                value: Some(edge.load.into()),
                 allowed: "footpads without an edge: only the method \"located\" knows it"
                     .to_owned(),
             });
@@ -283,7 +319,7 @@ impl NamedConditions {
         if let Some(name) = beyond.into_iter().find(|name| self.get(name).is_some()) {
             return Err(SceneFault {
                 name,
-                value: self.get(name),
+                value: self.get(name).map(Into::into),
                 allowed: format!("the number of a leg: the vehicle has {legs}"),
             });
         }
@@ -334,7 +370,7 @@ impl NamedConditions {
         SceneFault {
             name,
             // The value as given: conversion to radians and back may change its last digit.
-            value: self.get(name).or(Some(invalid.value)),
+            value: Some(self.get(name).unwrap_or(invalid.value).into()),
             allowed: invalid.allowed,
         }
     }
@@ -413,7 +449,7 @@ mod tests {
             let mut named = baseline();
             named.set(name, value);
             let fault = named.scene().unwrap_err();
-            assert_eq!((fault.name, fault.value), (name, Some(value)));
+            assert_eq!((fault.name, fault.value), (name, Some(value.into())));
         }
     }
 }

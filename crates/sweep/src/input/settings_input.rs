@@ -183,6 +183,33 @@ pub(crate) fn chosen_rules(choices: RuleChoices) -> Vec<(&'static str, &'static 
         .collect()
 }
 
+/// Names of the choices of `[solver]` that legs of three struts leave no other than one.
+const BOUND_BY_THREE_STRUTS: [&str; 6] = [
+    "solver.method",
+    "solver.rules",
+    "solver.crush_rule",
+    "solver.contact_rule",
+    "solver.rest_rule",
+    "solver.toppling_rule",
+];
+
+/// The first choice that does not go with legs of three struts: its name, its word, and the word that does.
+pub(crate) fn choice_beside_three_struts(
+    settings: &Settings,
+) -> Option<(&'static str, &'static str, &'static str)> {
+    let method = |method| ("method", method_name(&method));
+    let mut given = chosen_rules(settings.rule_choices());
+    given.push(method(settings.method()));
+    let mut needed = rules_by_key(Rules::PHYSICAL).to_vec();
+    needed.push(method(Method::Located));
+    BOUND_BY_THREE_STRUTS.into_iter().find_map(|name| {
+        let is_of = |(key, _): &&(&str, &str)| name.strip_prefix("solver.") == Some(key);
+        let (_, word) = given.iter().find(is_of)?;
+        let (_, allowed) = needed.iter().find(is_of)?;
+        (word != allowed).then_some((name, *word, *allowed))
+    })
+}
+
 /// Reads the choices of rules from `[solver]`.
 fn rule_choices(solver: &Section) -> Result<RuleChoices, InputError> {
     fn chosen<T: Copy>(

@@ -11,7 +11,7 @@ use crate::column::{Cell, Heading, Kind};
 use crate::document::Value;
 use crate::input_error::InputError;
 use crate::key_path::KeyPath;
-use crate::scene_input;
+use crate::scene_input::{self, FaultyValue, SceneFault};
 use crate::spelling::{
     Conversion, did_you_mean, differ_in_unit, dotted_conversion, spellings, with_unit_of,
 };
@@ -149,6 +149,16 @@ impl Parameter {
     /// Text of the allowed values, converted from program units to those of a coordinate.
     pub fn explain(&self, allowed: &str, coordinate: f64) -> String {
         self.conversion.explain(allowed, coordinate)
+    }
+
+    /// Text of what is allowed in place of a fault under this parameter.
+    pub(crate) fn allowed(&self, fault: &SceneFault) -> String {
+        match fault.value {
+            Some(FaultyValue::Number(number)) => {
+                self.explain(&fault.allowed, self.in_own_unit(number))
+            }
+            _ => fault.allowed.clone(),
+        }
     }
 
     /// Part of the input that the parameter belongs to.

@@ -173,8 +173,8 @@ impl<'d> Changes<'d> {
     fn blame_condition(&self, fault: &SceneFault) -> InputError {
         let said = (self.parameters.iter()).find(|(p, _)| p.program_name() == fault.name);
         let error = match (fault.value, said) {
-            (Some(value), Some((parameter, found))) => {
-                let allowed = parameter.explain(&fault.allowed, parameter.in_own_unit(value));
+            (Some(_), Some((parameter, found))) => {
+                let allowed = parameter.allowed(fault);
                 InputError::value(parameter.name(), &found.node.written, &allowed)
             }
             _ => fault.error(),

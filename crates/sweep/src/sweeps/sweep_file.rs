@@ -18,7 +18,7 @@ use crate::library::Library;
 use crate::numbers::explanation;
 use crate::output_units::OutputUnits;
 use crate::parameter::{Home, Parameter};
-use crate::scene_input::{self, HORIZONTAL_VELOCITY, NamedConditions, SceneFault};
+use crate::scene_input::{self, FaultyValue, HORIZONTAL_VELOCITY, NamedConditions, SceneFault};
 use crate::section::LocatedValue;
 use crate::section::Section;
 use crate::sensitivity_input;
@@ -351,11 +351,14 @@ pub(crate) fn locate_condition(
         .find(|entry| entry.parameter.program_name() == fault.name);
     match (entry, fault.value) {
         (Some(entry), Some(value)) => {
-            let value = entry.parameter.in_own_unit(value);
+            let value = match value {
+                FaultyValue::Number(number) => entry.parameter.in_own_unit(number).into(),
+                word => word,
+            };
             entry.found.complain_that(&format!(
                 "includes {}: expected {}",
                 short(value.to_string()),
-                entry.parameter.explain(&fault.allowed, value)
+                entry.parameter.allowed(fault)
             ))
         }
         // Of the vehicle, which the scene or the solver does not go with.

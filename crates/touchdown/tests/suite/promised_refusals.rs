@@ -3,8 +3,9 @@
 
 #![allow(missing_docs, reason = "tests are not an interface")]
 
-use crate::common::{Bench, LAND_CASES, SURVEYOR, SWEEP};
+use crate::common::{BASELINE, Bench, LAND_CASES, SURVEYOR, SWEEP};
 
+const APOLLO_LIKE: &str = include_str!("../../../../sweeps/vehicles/apollo-like.toml");
 const FRICTION: &str = "friction = 1.0";
 const ROLL: &str = "roll_deg = { from = -10, to = 10, step = 10 }";
 const TOLERANCE: &str = "tolerance_fps = 0.1";
@@ -53,6 +54,25 @@ const CARTRIDGES: [(&str, &str); 9] = [
     ("crush_load = { stroke_in = [0, 2], load_lb = [900, -1] }", "surveyor.toml:29: strut.crush_load.load_lb[2] = -1: expected 0 ≤ value ≤ 1e9, the scale included"),
     ("crush_load = { stroke_in = [0, 2], load_lb = [0, 900] }", "surveyor.toml:29: strut.crush_load.stroke_in = [0, 2]: expected a load > 0 at stroke 0"),
     ("crush_load = { stroke_in = [0], load_lb = [900], scale = 0 }", "surveyor.toml:29: strut.crush_load.scale = 0: expected 0 < value ≤ 1e9"),
+];
+
+/// What is replaced in the vehicle file of a lander on legs of three struts, by what, and the message.
+#[rustfmt::skip]
+const THREE_STRUTS: [(&str, &str, &str); 5] = [
+    ("kind = \"cantilever\"\nfoot", "kind = \"tripod\"\nfoot", r#"surveyor.toml:21: linkage.collar_m = 2: only legs of kind "cantilever" have this, and this one is of kind "tripod""#),
+    ("name =", "block = \"none\"\nname =", r#"surveyor.toml:3: block = "none": only legs of kind "hinged" have this, and this one is of kind "cantilever""#),
+    ("name =", "rules = \"1966\"\nname =", r#"surveyor.toml:3: rules = "1966": expected "physical": legs of three struts land by no other rules"#),
+    ("azimuth_deg = 90", "azimuth_deg = 90\nlinkage.kind = \"hinged\"", r#"surveyor.toml:66: legs[2].linkage.kind = "hinged": leg 1 is of kind "cantilever" and leg 2 of kind "hinged": expected one kind for all legs"#),
+    ("hardpoint_spread_m = 0.9", "hardpoint_spread_m = 0.001", "surveyor.toml:16: linkage (volume that the directions of the three struts span) = "),
+];
+
+/// Choices of `[solver]` that do not go with such a lander.
+#[rustfmt::skip]
+const BESIDE_THREE_STRUTS: [(&str, &str); 4] = [
+    ("method = \"rk4\"", r#"sweep.toml:3: solver.method = "rk4": expected "located": legs of three struts land by nothing else"#),
+    ("rules = \"1966\"", r#"sweep.toml:3: solver.rules = "1966": expected "physical": legs of three struts land by nothing else"#),
+    ("contact_rule = \"pivot\"", r#"sweep.toml:3: solver.contact_rule = "pivot": expected "face": legs of three struts land by nothing else"#),
+    ("rules = \"physical\"\nrest_rule = \"limits\"", r#"sweep.toml:3: solver.rest_rule = "limits": expected "energy": legs of three struts land by nothing else"#),
 ];
 
 /// What is replaced in the sweep file, by what, and the message.
@@ -225,6 +245,36 @@ fn vehicle_files_are_refused() {
         let vehicle = format!("{before}{strut}\n{keys}\n[footpad]\n{after}");
         refuse_sweep(&vehicle, SWEEP, message);
     }
+    for (right, wrong, message) in THREE_STRUTS {
+        refuse_sweep(&with(APOLLO_LIKE, right, wrong), SWEEP, message);
+    }
+}
+
+#[test]
+fn choices_are_refused_beside_legs_of_three_struts() {
+    for (keys, message) in BESIDE_THREE_STRUTS {
+        refuse_sweep(APOLLO_LIKE, &format!("{SWEEP}[solver]\n{keys}\n"), message);
+    }
+    let axis = r#"solver.toppling_rule = ["critical-feet"]"#;
+    let message = r#"sweep.toml:9: axes.solver.toppling_rule = ["critical-feet"]: includes "critical-feet": expected "hull": legs of three struts"#;
+    refuse_sweep(APOLLO_LIKE, &with(SWEEP, ROLL, axis), message);
+
+    let bench = Bench::new();
+    bench.write("surveyor.toml", APOLLO_LIKE);
+    let said = r#"solver.method = "rk4": expected "located": legs of three struts"#;
+    let land = [&BASELINE[..], &["--method", "rk4"]].concat();
+    bench.run(&land).refused(&[said]);
+    let land = [&BASELINE[..], &["--set", "solver.crush_rule=pivot-rate"]].concat();
+    let said = r#"solver.crush_rule=pivot-rate: expected "section": legs of three struts"#;
+    bench.run(&land).refused(&[said]);
+    bench.write(
+        "scene.toml",
+        &format!("{SCENE}[[case]]\nsolver.method = \"rk4\"\n"),
+    );
+    let said = r#"scene.toml:9: case 1: solver.method = "rk4": expected "located""#;
+    bench
+        .run(&["land", "scene.toml", "--out", "out"])
+        .refused(&[said]);
 }
 
 #[test]

@@ -47,7 +47,7 @@ impl NamedConditions {
         if let Some(name) = EULER.into_iter().find(|name| self.get(name).is_some()) {
             return Err(SceneFault {
                 name,
-                value: self.get(name),
+                value: self.get(name).map(Into::into),
                 allowed: format!(
                     "either {} or {}, not both",
                     EULER.join(", "),

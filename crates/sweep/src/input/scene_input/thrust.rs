@@ -78,7 +78,7 @@ impl NamedConditions {
         let number = |name: &'static str, default: f64| match self.get(name) {
             Some(value) if self.thrust.1 == 0 => Err(SceneFault {
                 name,
-                value: Some(value),
+                value: Some(value.into()),
                 allowed: "a table [scene.thrust] with time_s and force_lb".to_owned(),
             }),
             Some(_) => self.need(name),
@@ -98,12 +98,12 @@ impl NamedConditions {
             match offset {
                 Some(name) => SceneFault {
                     name,
-                    value: Some(invalid.value),
+                    value: Some(invalid.value.into()),
                     allowed: invalid.allowed,
                 },
                 None => SceneFault {
                     name: scale,
-                    value: self.get(scale).or(Some(invalid.value)),
+                    value: Some(self.get(scale).unwrap_or(invalid.value).into()),
                     allowed: format!("{} (the forces times the scale)", invalid.allowed),
                 },
             }

@@ -120,14 +120,11 @@ impl Columns {
             let said = |one: &&Given| one.parameter.program_name() == fault.name;
             match (fault.value, given.iter().find(said)) {
                 (
-                    Some(value),
+                    Some(_),
                     Some(Given {
                         parameter, cell, ..
                     }),
-                ) => {
-                    let allowed = parameter.explain(&fault.allowed, parameter.in_own_unit(value));
-                    InputError::value(parameter.name(), cell, &allowed)
-                }
+                ) => InputError::value(parameter.name(), cell, &parameter.allowed(&fault)),
                 _ => fault.error(),
             }
         })

@@ -228,7 +228,7 @@ async fn find(
         let (varied, settings) = varied.map_err(|fault| {
             invalid(CaseFault::Scene(SceneFault {
                 name: scene_input::HORIZONTAL_VELOCITY,
-                value: Some(fault.value),
+                value: Some(fault.value.into()),
                 allowed: fault.allowed,
             }))
         })?;
