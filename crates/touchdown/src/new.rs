@@ -4,6 +4,7 @@ use std::fs::File;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
+use clap::builder::PossibleValue;
 use clap::{Args, Subcommand, ValueEnum};
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::output_units::OutputUnits;
@@ -16,6 +17,10 @@ const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1
 const SURVEYOR_SI: &str = include_str!("../../../sweeps/vehicles/surveyor-si.toml");
 /// The lander on honeycomb struts, in SI.
 const HONEYCOMB: &str = include_str!("../../../sweeps/vehicles/four-legs.toml");
+/// The lander on legs of three struts that meet at the foot, in SI.
+const TRIPOD: &str = include_str!("new/tripod.toml");
+/// The lander on legs with a collar, in SI.
+const CANTILEVER: &str = include_str!("../../../sweeps/vehicles/apollo-like.toml");
 const SWEEP: &str = include_str!("new/sweep.toml");
 const SWEEP_SI: &str = include_str!("new/sweep-si.toml");
 const SCENE: &str = include_str!("new/scene.toml");
@@ -37,6 +42,9 @@ Examples:
   A lander with six legs on honeycomb struts:
     touchdown new vehicle lander.toml --kind honeycomb --legs 6
 
+  A lander with three legs of three struts:
+    touchdown new vehicle lander.toml --kind tripod
+
   A sweep of an existing vehicle:
     touchdown new sweep trade.toml --vehicle sweeps/vehicles/surveyor-table-4-1.toml";
 
@@ -50,7 +58,7 @@ pub struct Options {
 
 #[derive(Debug, Subcommand)]
 enum Kind {
-    /// A vehicle file: the Surveyor, or a lander on honeycomb struts, with an explanation of each number
+    /// A vehicle file: the Surveyor, or a lander on honeycomb struts or on legs of three struts, with an explanation of each number
     Vehicle(NewVehicle),
     /// A sweep file: V_H over roll and cross-slope
     Sweep(NamesVehicle),
@@ -63,24 +71,28 @@ struct NewVehicle {
     /// File to write; an existing file is not replaced
     #[arg(value_name = "FILE.toml")]
     file: PathBuf,
-    /// Struts
+    /// Struts or legs
     #[arg(long, value_enum, default_value = "damper")]
-    kind: Struts,
-    /// Number of legs, at even angles [default: 3 with dampers, 4 with honeycomb]
+    kind: VehicleKind,
+    /// Number of legs, at even angles [default: 3 with damper and tripod, 4 with honeycomb and cantilever]
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u8).range(3..=8))]
     legs: Option<u8>,
-    /// Units of the file; the keys of either may be mixed [default: US with dampers, SI with honeycomb]
+    /// Units of the file; the keys of either may be mixed [default: US with damper, SI with all others]
     #[arg(long, value_parser = units(), ignore_case = true)]
     units: Option<OutputUnits>,
 }
 
-/// Kinds of struts of a new vehicle.
+/// Kinds of a new vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Struts {
-    /// The Surveyor's shock absorbers: spring and damping
+enum VehicleKind {
+    /// Hinged legs with the Surveyor's shock absorbers: spring and damping
     Damper,
-    /// Honeycomb that crushes, described in SI
+    /// Hinged legs with honeycomb that crushes, described in SI
     Honeycomb,
+    /// Legs of three struts that meet at the foot, described in SI
+    Tripod,
+    /// Legs of three struts, two of which end at a collar of the third, described in SI
+    Cantilever,
 }
 
 #[derive(Debug, Args)]
@@ -119,13 +131,19 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 /// The text of a new vehicle file.
 fn vehicle(new: &NewVehicle) -> Result<String, InputError> {
     let template = match (new.kind, new.units) {
-        (Struts::Damper, None | Some(OutputUnits::Us)) => SURVEYOR,
-        (Struts::Damper, Some(OutputUnits::Si)) => SURVEYOR_SI,
-        (Struts::Honeycomb, None | Some(OutputUnits::Si)) => HONEYCOMB,
-        (Struts::Honeycomb, Some(OutputUnits::Us)) => {
-            let allowed = "SI with --kind honeycomb; keys of either units may be mixed in the file";
-            return Err(InputError::value("--units", "US", allowed));
+        (VehicleKind::Damper, None | Some(OutputUnits::Us)) => SURVEYOR,
+        (VehicleKind::Damper, Some(OutputUnits::Si)) => SURVEYOR_SI,
+        (kind, Some(OutputUnits::Us)) => {
+            let kind = kind.to_possible_value();
+            let allowed = format!(
+                "SI with --kind {}; keys of either units may be mixed in the file",
+                kind.as_ref().map_or("", PossibleValue::get_name)
+            );
+            return Err(InputError::value("--units", "US", &allowed));
         }
+        (VehicleKind::Honeycomb, _) => HONEYCOMB,
+        (VehicleKind::Tripod, _) => TRIPOD,
+        (VehicleKind::Cantilever, _) => CANTILEVER,
     };
     let template = template.replace(RULES[0], RULES[1]);
     Ok(match new.legs {

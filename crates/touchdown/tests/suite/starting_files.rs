@@ -1,6 +1,6 @@
 //! Files to start from, completions and manual pages, and how many threads there may be.
 
-use crate::common::{BASELINE, Bench, Done};
+use crate::common::{BASELINE, Bench, Done, SWEEP};
 
 #[test]
 fn new_files_are_valid_as_written_and_never_replace_another() {
@@ -142,12 +142,35 @@ fn new_vehicles_have_the_struts_and_legs_that_are_asked_for() {
                 .contains(&format!("\"pad_contact_{}_s\"", legs + 1))
         );
     }
+    for (kind, legs) in [
+        ("tripod", 3),
+        ("cantilever", 4),
+        ("tripod", 5),
+        ("cantilever", 3),
+    ] {
+        let file = format!("{kind}-{legs}.toml");
+        let count = legs.to_string();
+        let options = match (kind, legs) {
+            ("tripod", 3) | ("cantilever", 4) => &["--kind", kind][..],
+            _ => &["--kind", kind, "--legs", &count],
+        };
+        let done = bench.run(&[&["new", "vehicle", &file], options].concat());
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        let text = bench.read(&file);
+        assert!(text.contains(&format!("\nkind = \"{kind}\"")), "{text}");
+        assert_eq!(text.matches("[[legs]]").count(), legs);
+        let sweep = SWEEP.replace("surveyor.toml", &file);
+        bench.write("of.toml", &sweep);
+        let counted = dry_run(&bench, "of.toml");
+        assert_eq!(counted.code, Some(0), "{}", counted.err);
+    }
     let done = bench.run(&["new", "vehicle", "four.toml", "--kind", "honeycomb"]);
     assert_eq!(done.code, Some(0), "{}", done.err);
     assert!(bench.read("four.toml").contains("azimuth_deg = 270"));
     let ask = |options: &[&str]| bench.run(&[&["new", "vehicle", "none.toml"], options].concat());
     ask(&["--kind", "honeycomb", "--units", "US"])
         .refused(&["--units = US", "SI with --kind honeycomb"]);
+    ask(&["--kind", "tripod", "--units", "US"]).refused(&["--units = US", "SI with --kind tripod"]);
     ask(&["--legs", "9"]).refused(&["--legs", "3..=8"]);
     assert!(!bench.list(".").contains(&"none.toml".to_owned()));
 }
