@@ -1,6 +1,6 @@
 //! Touchdown dynamics of legged landers.
 //!
-//! A rigid body on hinged legs with shock absorbers, crushable footpads and body blocks touches a
+//! A rigid body on hinged legs with shock absorbers, or on tripod or cantilever legs, crushable footpads and body blocks touches a
 //! sloping surface with friction; [`land::land`] integrates from first contact until the
 //! vehicle has come to rest, toppled, or bottomed a strut. The model is that of Bendix report
 //! MM-66-19 (1966); numbers in parentheses in the documentation are its equations.
@@ -107,6 +107,9 @@
 //!
 //! **Contact at the face is a variant of the equations** (`motion/face`), compiled beside that of 1966, which pays nothing for it. A batch has the rule
 //! of its first landing in its lanes; others land alone.
+//!
+//! **Legs of three struts are a second set of equations** (`equations/three_struts`, `laws/three_struts`, `landing/three_struts`). What follows a step is the
+//! same where it knows no legs: event location, the hull of the feet, rest on supports, histories, results. Their landings are computed alone.
 //!
 //! **What has a closed form is not integrated.** While all legs hang, steps follow the body's parabola, the power series of its rotation
 //! and the exponentials of its links (`motion/free_flight`). A pad that presses on a stop is carried by what it has *turned*; its
