@@ -393,6 +393,43 @@ fn what_is_never_allowed_is_refused() {
 }
 
 #[test]
+fn a_lander_has_the_numbers_of_its_kind_of_legs() {
+    let of = |file: &str| -> Vec<(String, String)> {
+        let told = answer(&named(&[file]), "parameters", "{}", &|| false).unwrap();
+        let told: Value = serde_json::from_str(&told).unwrap();
+        let text = |one: &Value, key: &str| one[key].as_str().unwrap().to_owned();
+        let all = told["parameters"].as_array().unwrap().iter();
+        all.map(|one| (text(one, "name"), text(one, "group")))
+            .collect()
+    };
+    let cantilever = of("sweeps/vehicles/apollo-like.toml");
+    for (name, group) in [
+        ("vehicle.linkage.collar_ft", "linkage"),
+        ("vehicle.primary.damping_lb_s_per_ft", "primary"),
+        ("vehicle.primary.compression_load.scale", "primary"),
+        ("vehicle.secondary.hardpoint_spread_ft", "secondary"),
+        ("vehicle.legs[4].secondary.tension_load.scale", "secondary"),
+        ("vehicle.footpad.diameter_ft", "footpad"),
+    ] {
+        let found = cantilever.iter().find(|(known, _)| known == name);
+        assert_eq!(
+            found.map(|(_, group)| group.as_str()),
+            Some(group),
+            "{name}"
+        );
+    }
+    let absent = |name: &str| !cantilever.iter().any(|(known, _)| known == name);
+    assert!(absent("vehicle.primary.tension_load.scale"));
+    assert!(absent("vehicle.strut.spring_profile.scale"));
+    let hinged = of("sweeps/vehicles/four-legs.toml");
+    assert!(
+        hinged
+            .iter()
+            .all(|(_, group)| group != "primary" && group != "secondary")
+    );
+}
+
+#[test]
 fn a_value_in_si_is_the_same_value() {
     let si = landing(
         json!({"vertical_velocity_mps": 4.2672, "vehicle.strut.preload_n": 822.9209988231925}),
