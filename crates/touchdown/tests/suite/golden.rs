@@ -87,7 +87,16 @@ const RUNS: [(&str, &[&str]); 16] = [
     ),
     (
         "in-si",
-        &["sweep", "bands.toml", "--units", "SI", "--out", "OUT"],
+        &[
+            "sweep",
+            "bands.toml",
+            "--set",
+            "vertical_velocity_fps=13.3",
+            "--units",
+            "SI",
+            "--out",
+            "OUT",
+        ],
     ),
 ];
 
