@@ -28,12 +28,12 @@ const PROFILES: [FrictionProfile; 2] = [FrictionProfile::A, FrictionProfile::B];
 
 /// Landings of all kinds, one beside the other: vehicles, tolerances, laws and methods differ.
 fn tasks() -> Vec<Task> {
-    let usual = fixed_list(&usual_conditions(), 60).into_iter();
+    let usual = fixed_list(&usual_conditions(), 30).into_iter();
     let vehicles = [table_4_1(), off_center(table_4_1())].into_iter().cycle();
     let usual = vehicles
         .zip(usual)
         .map(|(vehicle, conditions)| (vehicle, Scene::new(conditions).unwrap()));
-    let mut wild = fixed_list(&(wild_vehicle(3), wild_scene()), 61);
+    let mut wild = fixed_list(&(wild_vehicle(3), wild_scene()), 31);
     wild.remove(ENDLESS);
     let mut all: Vec<(Vehicle, Scene)> = usual.collect();
     all.extend(wild);

@@ -1,12 +1,14 @@
 //! What has to be conserved: momentum and energy in free flight, the energy account of landings.
 
+use std::sync::Arc;
+
 use crate::common::bare::Bare;
 use crate::common::random::{crush_rule, fixed_list, usual_conditions};
 use crate::common::{
-    PRINCIPAL, level, level_scene, off_center, sample_deck, surveyor_leg, table_4_1,
+    PRINCIPAL, level, level_scene, off_center, sample_deck, side_by_side, surveyor_leg, table_4_1,
 };
 use nalgebra::{Vector3, Vector4};
-use rayon::prelude::*;
+use touchdown_dynamics::batch::Request;
 use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::rules::Rules;
@@ -121,19 +123,22 @@ const GAP: f64 = 1e-5;
 #[test]
 fn the_energy_account_of_landings_closes() {
     let strategy = (usual_conditions(), crush_rule(), proptest::bool::ANY);
-    let gaps: Vec<_> = fixed_list(&strategy, 200)
-        .into_par_iter()
-        .enumerate()
-        .filter_map(|(number, (conditions, rule, first))| {
-            let vehicle = if first { table_4_1() } else { sample_deck() };
-            let vehicle = if number.is_multiple_of(4) {
+    let cases = fixed_list(&strategy, 200);
+    let requests = (cases.iter().enumerate()).map(|(key, (conditions, rule, first))| {
+        let vehicle = if *first { table_4_1() } else { sample_deck() };
+        Request {
+            key,
+            vehicle: Arc::new(if key.is_multiple_of(4) {
                 off_center(vehicle)
             } else {
                 vehicle
-            };
-            let scene = Scene::new(conditions).unwrap();
-            let settings = Settings::new(1e-8, 10.0, rule).unwrap();
-            let landing = land(&vehicle, &scene, &settings);
+            }),
+            scene: Scene::new(*conditions).unwrap(),
+            settings: Settings::new(1e-8, 10.0, *rule).unwrap(),
+        }
+    });
+    let gaps: Vec<_> = (side_by_side(requests).into_iter().zip(&cases))
+        .filter_map(|(landing, (conditions, ..))| {
             let account = &landing.energies;
             // Energy in play: all that came in went somewhere or is left.
             assert!(account.initial_kinetic > 200.0);

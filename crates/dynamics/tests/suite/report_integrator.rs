@@ -51,7 +51,7 @@ fn is_as_printed((landing, summary): &(Landing, IntegrationSummary)) -> bool {
 
 #[test]
 fn the_printed_branch_is_one_run_in_some() {
-    let runs: Vec<_> = first_intervals(400)
+    let runs: Vec<_> = first_intervals(200)
         .map(|first| sample_run(&report(1.0, first)))
         .collect();
     let printed_branch: Vec<_> = runs.iter().filter(|run| is_as_printed(run)).collect();
@@ -161,7 +161,7 @@ fn the_observed_order_is_far_below_four() {
         let mut observe = |instant: &Instant| exact.push(instant.position);
         land_with_summary(&vehicle, &scene, &settings(1e-10), 0.1, &mut observe);
         let [(coarse, error), (fine, smaller)] =
-            [1e-1, 1e-5].map(|scale| typical_error(&vehicle, &scene, scale, &exact[10]));
+            [1e-1, 1e-4].map(|scale| typical_error(&vehicle, &scene, scale, &exact[10]));
         let order = (error / smaller).ln() / (coarse / fine).ln();
         println!(
             "{name}: {error:.2e} ft at {coarse:.2e} s, {smaller:.2e} ft at {fine:.2e} s: \
