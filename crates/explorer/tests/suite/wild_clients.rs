@@ -191,7 +191,7 @@ fn a_hundred_wild_clients_neither_end_nor_block_it() {
                     let _ = stream.read(&mut [0; 64]);
                 }
                 _ => {
-                    let values = r#"{"touchdown": {"values": {"vertical_velocity_fps": 10000, "solver.tolerance": 1e-10}}}"#;
+                    let values = r#"{"touchdown": {"values": {"vertical_velocity_fps": 5000, "solver.tolerance": 1e-10}}}"#;
                     let _ = client.send(&client.call("landing", values));
                 }
             });

@@ -71,8 +71,8 @@ fn the_seed_says_what_is_landed() {
         assert_eq!(done.code, Some(0), "{}", done.err);
         bench.read("stress/stress-cases.csv")
     };
-    let first = landed("1");
-    assert_eq!(landed("1"), first);
+    let first = landed("4");
+    assert_eq!(landed("4"), first);
     assert_ne!(landed("2"), first);
 }
 
