@@ -146,7 +146,8 @@ fn rows(bench: &Bench, name: &str) -> Vec<Vec<String>> {
 
 #[test]
 fn edges_over_one_axis_lie_between_places_with_other_bands() {
-    let bench = bench_of(&profile());
+    // Halved three times, cells are as wide as an edge may be.
+    let bench = bench_of(&profile().replace("[20, 30, 40]", "[22, 30, 38]"));
     run(&bench, &["sweep", "map.toml", "--out", "out"]);
     // Outcomes from below at every roll.
     let mut bands: Vec<(f64, Vec<String>)> = Vec::new();
@@ -175,13 +176,17 @@ fn edges_over_one_axis_lie_between_places_with_other_bands() {
 
 #[test]
 fn transitions_end_where_the_edges_are() {
-    let bench = bench();
+    let coarser = map().replace(
+        "deg = 2, roll_deg = 2 }\nerror_fps = 0.3",
+        "deg = 3, roll_deg = 3 }\nerror_fps = 0.6",
+    );
+    let bench = bench_of(&coarser);
     let done = run(&bench, &["sweep", "map.toml", "--out", "out"]);
     assert!(done.out.contains("first transition to"), "{}", done.out);
     let edges = rows(&bench, "map-edges.csv");
     assert!(edges.iter().any(|row| row[3] == "end"));
     for row in &edges {
-        // Widths of two degrees, so that nothing is farther than one from the edge, were it known.
+        // Widths of three degrees, so that nothing is farther than half of it from the edge, were it known.
         let within = [&row[6], &row[7]].map(|width| width.parse::<f64>().unwrap());
         assert!(
             row[3] != "end" || within.iter().all(|width| *width <= 5.0),
@@ -278,7 +283,8 @@ fn bad_maps_are_refused() {
 #[test]
 fn a_map_that_is_coarser_than_asked_says_so() {
     let told = |error: &str| {
-        let text = map().replace("error_fps = 0.3", error);
+        let text = map().replace("deg = 2, roll_deg = 2", "deg = 5, roll_deg = 5");
+        let text = text.replace("error_fps = 0.3", error);
         let bench = bench_of(&text);
         let done = run(&bench, &["sweep", "map.toml"]);
         let record = bench.read("results/map.json");
@@ -290,6 +296,6 @@ fn a_map_that_is_coarser_than_asked_says_so() {
         assert_eq!(coarse.unwrap() > 0, is_told, "{}", done.out);
         is_told
     };
-    assert!(told("error_fps = 0.001\nbudget_landings = 400"));
+    assert!(told("error_fps = 0.001\nbudget_landings = 200"));
     assert!(!told("error_fps = 3"));
 }

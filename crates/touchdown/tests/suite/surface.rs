@@ -79,13 +79,13 @@ fn timing_errors_give_standard_deviations_in_proportion() {
             "--timing-sigma",
             sigma,
             "--samples",
-            "20",
+            "10",
             "--json",
         ];
         let done = surface(&bench, &options);
         assert_eq!(done.code, Some(0), "{}", done.err);
         let result: serde_json::Value = serde_json::from_str(&done.out).unwrap();
-        assert_eq!(result["timing"]["with_a_surface"], 20);
+        assert_eq!(result["timing"]["with_a_surface"], 10);
         let number = |key: &str| result["timing"][key].as_f64().unwrap();
         (number("slope_sigma_deg"), number("cross_slope_sigma_deg"))
     };
