@@ -147,7 +147,7 @@ fn pads_sink_by_the_work_that_they_take() {
         soil: Soil::Yielding(soil(strength, depth, 1.0, 0.001)),
         ..level(180.0, 0.0, 0.0)
     });
-    let (landing, instants) = history(&vehicle, &scene.unwrap(), &settings(1e-9), 0.01);
+    let (landing, instants) = history(&vehicle, &scene.unwrap(), &settings(1e-7), 0.01);
     let footpad = &vehicle.hinged_legs()[0].design().footpad;
     let last = &instants[instants.len() - 1].legs[0];
     let section = FRAC_PI_8 * footpad.diameter * footpad.diameter;
@@ -181,8 +181,8 @@ fn pads_sink_by_the_work_that_they_take() {
 #[test]
 fn soil_only_takes_energy() {
     for nth in 0..60 {
-        let vehicle = drawn(&wild_vehicle(3 + nth % 4), 51, nth).with_rules(Rules::PHYSICAL);
-        let conditions = *drawn(&wild_scene(), 51, nth).conditions();
+        let vehicle = drawn(&wild_vehicle(3 + nth % 4), 54, nth).with_rules(Rules::PHYSICAL);
+        let conditions = *drawn(&wild_scene(), 54, nth).conditions();
         let part = nth as f64 / 60.0;
         let strength = 200.0 * 30_f64.powf(part);
         let bearing = soil(strength, 0.05 + 0.2 * (1.0 - part), 0.5 + 1.5 * part, 0.01);
