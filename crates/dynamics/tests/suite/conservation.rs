@@ -123,7 +123,7 @@ const GAP: f64 = 1e-5;
 #[test]
 fn the_energy_account_of_landings_closes() {
     let strategy = (usual_conditions(), crush_rule(), proptest::bool::ANY);
-    let cases = fixed_list(&strategy, 200);
+    let cases = fixed_list(&strategy, 100);
     let requests = (cases.iter().enumerate()).map(|(key, (conditions, rule, first))| {
         let vehicle = if *first { table_4_1() } else { sample_deck() };
         Request {
@@ -147,7 +147,7 @@ fn the_energy_account_of_landings_closes() {
             landed.then_some((account.closure().abs(), conditions))
         })
         .collect();
-    assert!(gaps.len() > 190, "only {} landed", gaps.len());
+    assert!(gaps.len() > 95, "only {} landed", gaps.len());
     let worst = gaps.iter().max_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
     println!("gap at most {:.2e} ft·lb", worst.0);
     assert!(worst.0 < GAP, "{worst:?}");
