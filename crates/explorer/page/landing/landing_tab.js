@@ -4,6 +4,7 @@ import { button, element } from "../look/elements.js";
 import { subscripted } from "../look/words.js";
 import { OutcomeStrip } from "../strip/strip.js";
 import { Sliders } from "../sliders/sliders.js";
+import { GoingOn } from "./going_on.js";
 import { Replay, speedOf } from "./replay.js";
 import { STILL } from "./sharpness.js";
 
@@ -16,6 +17,8 @@ export class LandingTab {
   constructor(present, sources) {
     this.present = present;
     this.replay = new Replay(["The landing"]);
+    this.goingOn = new GoingOn(present, this.replay.player);
+    this.replay.bar.root.append(this.goingOn.root);
     this.strip = new OutcomeStrip(present, sources);
     this.sliders = new Sliders(present);
     this.newest = new Newest();
@@ -54,6 +57,7 @@ export class LandingTab {
         const landing = await engine.landing({ touchdown, units, interval_s, history: !isMoving });
         this.landing = landing;
         this.replay.show([landing], units);
+        this.goingOn.show(landing);
         this.strip.follow(speedOf(landing, units).fps);
         this.sliders.complain(null);
         this.root.dispatchEvent(new Event("landed"));

@@ -340,3 +340,21 @@ test("a landing that goes on beyond its verdict tells when the verdict fell", as
   assert.ok(text.includes(`unstable-pitch at ${end_time_s.toFixed(3)} s`), text);
   await page.context().close();
 });
+
+test("a button beside the transport lets the landing go on beyond its verdict, and ends it there again", async () => {
+  const page = await explorer.open("#v.horizontal_velocity_fps=12");
+  const { end_time_s } = land(...baseline, "--horizontal-velocity", "12").result;
+  const going = page.getByRole("button", { name: "Go on beyond the verdict" });
+  assert.equal(await going.getAttribute("aria-pressed"), "false");
+  await going.click();
+  await page.waitForSelector('.transport button[aria-pressed="true"]');
+  // It plays on from the verdict.
+  await page.waitForFunction((end) => parseFloat(document.querySelector(".landing-tab .clock")?.textContent ?? "") > end, end_time_s);
+  assert.match((await page.locator(".landing-tab .outcome").textContent()) ?? "", /unstable-pitch at .* shown to/);
+  await page.waitForFunction(() => location.hash.includes("v.solver.stop=time"));
+  await going.click();
+  await page.waitForSelector('.transport button[aria-pressed="false"]');
+  assert.doesNotMatch((await page.locator(".landing-tab .outcome").textContent()) ?? "", /shown to/);
+  assert.deepEqual(explorer.complaints(), []);
+  await page.context().close();
+});
