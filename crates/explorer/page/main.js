@@ -72,7 +72,7 @@ async function start() {
     const [panel] = panels;
     const view = panel.view.view === "corner" ? "" : panel.view.view;
     const t = player.isPlaying || player.time >= player.end ? "" : player.time.toFixed(3);
-    return toAddress(present, { tab, view, t, ...map?.state(), ...sample?.state() });
+    return toAddress(present, { tab, view, t, ...landing.kept.state(), ...map?.state(), ...sample?.state() });
   };
   byId("take", HTMLElement).append(new TakeAway(present, landing.replay, map, () => location.href.split("#")[0] + address()).root);
 
@@ -95,6 +95,7 @@ async function start() {
     ].filter(Boolean);
     const isKnown = named === null || known.sources.some(({ name }) => name === named);
     if (named !== null && isKnown) present.source = named;
+    void landing.kept.restore(extra);
     map?.restore(extra);
     sample?.restore(extra);
     if (views.includes(extra.view)) panels[0].view.view = /** @type {import("./landing/stage.js").View} */ (extra.view);
@@ -122,6 +123,7 @@ async function start() {
   tabs.addEventListener("chosen", step);
   for (const kind of ["values", "units"]) present.addEventListener(kind, keep);
   present.addEventListener("values", () => (trouble.hidden = true));
+  landing.kept.addEventListener("changed", keep);
   for (const kind of ["time", "state"]) player.addEventListener(kind, keep);
   for (const kind of ["loaded", "landed"]) map?.addEventListener(kind, keep);
   for (const kind of ["loaded", "axes", "selected"]) sample?.addEventListener(kind, keep);

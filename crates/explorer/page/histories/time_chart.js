@@ -2,7 +2,7 @@ import uPlot from "../vendor/uplot.js";
 import { element } from "../look/elements.js";
 import { colours, curveColour } from "../look/theme.js";
 import { font, textScale } from "../look/text.js";
-import { label } from "../look/words.js";
+import { label, subscripted } from "../look/words.js";
 
 /** @typedef {{ name: string, values: (number | null)[], colour?: string, dash?: number[], width?: number,
  *   readings?: number[] }} Curve what is read at the cursor is its value unless it has readings; a curve without a name is only there for bands */
@@ -128,7 +128,7 @@ export class TimeChart {
       key.style.color = colour ?? curveColour(index);
       const reading = element("output");
       this.readings.push(reading);
-      return name ? element("span", {}, key, `${name} `, reading) : "";
+      return name ? element("span", {}, key, subscripted(`${name} `), reading) : "";
     });
     this.caption.replaceChildren(element("strong", {}, unit ? `${title}, ${unit}` : title), ...names);
   }

@@ -5,6 +5,7 @@ import { subscripted } from "../look/words.js";
 import { OutcomeStrip } from "../strip/strip.js";
 import { Sliders } from "../sliders/sliders.js";
 import { GoingOn } from "./going_on.js";
+import { Kept } from "./kept.js";
 import { Replay, speedOf } from "./replay.js";
 import { STILL } from "./sharpness.js";
 
@@ -18,7 +19,10 @@ export class LandingTab {
     this.present = present;
     this.replay = new Replay(["The landing"]);
     this.goingOn = new GoingOn(present, this.replay.player);
-    this.replay.bar.root.append(this.goingOn.root);
+    this.kept = new Kept(present);
+    this.replay.bar.root.append(this.goingOn.root, this.kept.button);
+    this.replay.histories.root.before(this.kept.root);
+    this.kept.addEventListener("changed", () => this.replay.histories.keep(this.kept.named()));
     this.strip = new OutcomeStrip(present, sources);
     this.sliders = new Sliders(present);
     this.newest = new Newest();
@@ -56,6 +60,7 @@ export class LandingTab {
       try {
         const landing = await engine.landing({ touchdown, units, interval_s, history: !isMoving });
         this.landing = landing;
+        if (!isMoving) this.replay.histories.keep(this.kept.named());
         this.replay.show([landing], units);
         this.goingOn.show(landing);
         this.strip.follow(speedOf(landing, units).fps);

@@ -64,6 +64,13 @@ export const regionColour = (of) => colours().regions[of];
 /** Colour of a curve among several. @param {number} index */
 export const curveColour = (index) => colours().curves[index % colours().curves.length];
 
+/** A colour nearer to that of the paper. @param {string} colour as #rrggbb */
+export function pale(colour) {
+  const part = (/** @type {string} */ of, /** @type {number} */ at) => parseInt(of.slice(at, at + 2), 16);
+  const mixed = [1, 3, 5].map((at) => Math.round(0.6 * part(colour, at) + 0.4 * part(colours().paper, at)));
+  return `#${mixed.map((value) => value.toString(16).padStart(2, "0")).join("")}`;
+}
+
 /** @param {() => void} listener */
 export const onTheme = (listener) => changes.addEventListener("change", listener);
 

@@ -358,3 +358,48 @@ test("a button beside the transport lets the landing go on beyond its verdict, a
   assert.deepEqual(explorer.complaints(), []);
   await page.context().close();
 });
+
+test("landings that are kept lie in the charts under others, in the address, and are removed", async () => {
+  const page = await explorer.open("#v.horizontal_velocity_fps=11.2");
+  const captions = () => page.locator(".landing-tab .chart").first().locator("figcaption span").allTextContents();
+  assert.equal((await captions()).length, 1);
+  const keep = page.getByRole("button", { name: "Keep this landing" });
+  await keep.click();
+  await page.waitForSelector(".kept li");
+  await slide(page, "horizontal_velocity_fps", 12);
+  await page.waitForSelector('.landing-tab .outcome[data-outcome="unstable-pitch"]');
+  await slide(page, "roll_deg", 10);
+  await page.waitForFunction(() => location.hash.includes("v.roll_deg=10"));
+  await keep.click();
+  await page.waitForFunction(() => document.querySelectorAll(".kept li").length === 2);
+  await slide(page, "vertical_velocity_fps", 10);
+  const names = ["Roll angle Ξ 0 deg", "Vertical velocity VV 14 ft/s"];
+  await page.waitForFunction((wanted) => wanted.every((name) => document.querySelector(".kept")?.textContent?.includes(name)), names);
+  const [present, first, second] = await captions();
+  assert.match(present, /^σ /);
+  assert.match(first, /^Vertical velocity VV 14 ft\/s, Horizontal velocity VH 11.2 ft\/s, Roll angle Ξ 0 deg /);
+  assert.match(second, /^Vertical velocity VV 14 ft\/s /);
+
+  // The readings of a landing that is kept are its own.
+  await page.locator(".landing-tab .timeline input").fill("0.4");
+  const history = JSON.parse(await page.evaluate(async () => {
+    const request = { touchdown: { values: { horizontal_velocity_fps: 11.2 } }, drawing: false };
+    const answer = await fetch("api/landing", { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(request) });
+    return answer.text();
+  })).history.columns;
+  const value = (/** @type {string} */ name) => history.find((/** @type {{ name: string }} */ column) => column.name === name).values[40];
+  assert.equal(value("t_s"), 0.4);
+  assert.equal(Number(/([^ ]+)$/.exec((await captions())[1])?.[1]), Number(value("sigma_deg").toPrecision(4)));
+
+  await page.waitForFunction(() => location.hash.includes("keep=") && location.hash.includes("t=0.4"));
+  const linked = await explorer.open(await page.evaluate(() => location.hash));
+  await linked.waitForFunction(() => document.querySelectorAll(".kept li").length === 2);
+  await linked.getByLabel("Units").selectOption("SI");
+  await linked.waitForFunction(() => document.querySelector(".kept")?.textContent?.includes("4.2672 m/s"));
+  await linked.getByRole("button", { name: /^Remove .*Horizontal/ }).click();
+  await linked.waitForFunction(() => document.querySelectorAll(".kept li").length === 1);
+  await linked.waitForFunction(() => document.querySelectorAll(".landing-tab .chart:first-child figcaption span").length === 2);
+  assert.deepEqual(explorer.complaints(), []);
+  await page.context().close();
+  await linked.context().close();
+});
