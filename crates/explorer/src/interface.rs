@@ -3,6 +3,7 @@
 //! An answer depends only on the request and the named files: not on other files, clocks or threads.
 
 mod bands;
+mod bins;
 mod classes;
 mod complaint;
 mod in_units;
@@ -11,9 +12,11 @@ mod landing;
 mod map;
 mod parameters;
 mod request;
+mod rows;
 mod sample;
 mod speeds;
 mod strip;
+mod table_file;
 mod take_away;
 mod touchdown;
 
@@ -22,7 +25,7 @@ use crate::named::Named;
 pub use complaint::{Complaint, Fault};
 
 /// Names of all requests.
-pub const NAMES: [&str; 11] = [
+pub const NAMES: [&str; 13] = [
     "inputs",
     "parameters",
     "landing",
@@ -31,6 +34,8 @@ pub const NAMES: [&str; 11] = [
     "map",
     "at",
     "sample",
+    "bins",
+    "table_file",
     "scene_file",
     "history_file",
     "command",
@@ -58,6 +63,8 @@ pub fn answer(
         "map" => map::answer(named, request),
         "at" => map::answer_at(named, request),
         "sample" => sample::answer(named, request),
+        "bins" => bins::answer(named, request),
+        "table_file" => table_file::answer(named, request),
         "scene_file" => take_away::scene_file(named, request),
         "history_file" => take_away::history_file(named, request, is_over),
         "command" => take_away::command(named, request),

@@ -82,6 +82,16 @@ export const at = (request) => ask("at", request);
 /** @param {{ results: string, units: string }} request @returns {Promise<import("./types.js").Sample>} */
 export const sample = (request) => ask("sample", request);
 
+/**
+ * @param {{ results: string, column: string, within: import("./types.js").Range[], units: string }} request
+ * @returns {Promise<import("./types.js").Bins>}
+ */
+export const bins = (request) => ask("bins", request);
+
+/** @param {{ results: string, within: import("./types.js").Range[], units: string }} request
+ * @returns {Promise<{ files: { name: string, text: string }[] }>} */
+export const tableFile = (request) => ask("table_file", request);
+
 /** @param {{ touchdown: Touchdown, units: string }} request
  * @returns {Promise<{ files: { name: string, text: string }[] }>} */
 export const sceneFile = (request) => ask("scene_file", request);

@@ -74,7 +74,10 @@
  * @typedef {{ title: string, source: string, inputs: { name: string, title: string, unit: string, values: (number | string | null)[],
  *   written?: { name: string, values: (number | string | null)[] } }[],
  *   outcomes: string[], outcome: number[], classes: Kind[], class: number[],
- *   results: { name: string, title: string, unit: string, values: (number | null)[] }[] }} Sample
+ *   results: { name: string, title: string, unit: string, values: (number | null)[] }[], ramp: string[] }} Sample
+ * @typedef {{ column: string, from: number, to: number }} Range
+ * @typedef {{ landings: number, classes: { landings: number, probability: number | null, low_95: number, high_95: number }[] }} Counted
+ * @typedef {{ column: string, all: Counted, within: Counted, bins: { from: number, to: number, all: Counted, within: Counted }[] }} Bins
  *
  * @typedef {{ message: string, key: string | null, value: string | null, allowed: string | null }} Complaint
  */

@@ -1,10 +1,10 @@
 import { element } from "../look/elements.js";
 import { classColour, colours, onTheme } from "../look/theme.js";
-import { font, scaled, textScale, writeWords } from "../look/text.js";
-import { label, roundValues } from "../look/words.js";
+import { scaled } from "../look/text.js";
 import { crosshair } from "../map/marks.js";
+import { frame } from "./frame.js";
 
-/** @typedef {{ title: string, values: (number | string | null)[] }} Quantity */
+/** @typedef {{ name: string, title: string, values: (number | string | null)[] }} Quantity */
 /** @typedef {{ left: number, right: number, low: number, high: number }} Box a rectangle in the units of the quantities */
 
 const ROOM = { left: 62, right: 14, top: 12, bottom: 44 };
@@ -46,6 +46,19 @@ export class Scatter {
       return numbers.length ? { low: low - margin, high: high + margin } : { low: 0, high: 1 };
     });
     this.draw();
+  }
+
+  /** Colours the points, else by how they end. @param {import("./colour_scale.js").ColourScale} [scale] */
+  paint(scale) {
+    this.scale = scale;
+    this.draw();
+  }
+
+  /** What is selected, as ranges of columns. @returns {import("../engine/types.js").Range[]} */
+  get ranges() {
+    const { box, quantities } = this;
+    if (!box || !quantities) return [];
+    return [{ column: quantities[0].name, from: box.left, to: box.right }, { column: quantities[1].name, from: box.low, to: box.high }];
   }
 
   get area() {
@@ -156,53 +169,33 @@ export class Scatter {
     [this.canvas.width, this.canvas.height] = [clientWidth * ratio, clientHeight * ratio];
     const context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext("2d"));
     context.scale(ratio, ratio);
-    const { left, top, width, height } = this.area;
+    const { area } = this;
     const now = colours();
-    const px = (/** @type {number} */ share) => left + share * width;
-    const py = (/** @type {number} */ share) => top + (1 - share) * height;
-    context.fillStyle = now.text;
-    context.strokeStyle = now.grid;
-    context.font = font(12);
-    context.textAlign = "center";
-    context.textBaseline = "top";
-    const share = (/** @type {number} */ axis, /** @type {number} */ value) => (value - ends[axis].low) / (ends[axis].high - ends[axis].low);
-    for (const value of roundValues(ends[0].low, ends[0].high, width / (70 * textScale()))) {
-      const x = px(share(0, value));
-      context.strokeRect(x, top, 0, height);
-      context.fillText(label(value), x, top + height + 6);
-    }
-    context.textAlign = "right";
-    context.textBaseline = "middle";
-    for (const value of roundValues(ends[1].low, ends[1].high, height / (40 * textScale()))) {
-      const y = py(share(1, value));
-      context.strokeRect(left, y, width, 0);
-      context.fillText(label(value), left - 6, y);
-    }
-    context.textAlign = "center";
-    writeWords(context, quantities[0].title, left + 0.5 * width, top + height + 32 * textScale());
-    context.save();
-    context.translate(14 * textScale(), top + 0.5 * height);
-    context.rotate(-Math.PI / 2);
-    writeWords(context, quantities[1].title, 0, 0);
-    context.restore();
+    const px = (/** @type {number} */ share) => area.left + share * area.width;
+    const py = (/** @type {number} */ share) => area.top + (1 - share) * area.height;
+    const { x, y } = frame(context, area, [ends[0], ends[1]], [quantities[0].title, quantities[1].title]);
     const radius = classes.length > 4000 ? 1.6 : classes.length > 800 ? 2.4 : 3.6;
+    context.lineWidth = 0.6;
+    context.strokeStyle = now.text;
     for (const [landing, of] of classes.entries()) {
       const at = this.#shares(landing);
       if (!at) continue;
       context.globalAlpha = this.isSelected(landing) ? 0.85 : 0.14;
-      context.fillStyle = classColour(of);
+      context.fillStyle = this.scale ? (this.scale.colour(landing) ?? now.paper) : classColour(of);
       context.beginPath();
       // Shape tells stable landings from others too.
       if (of === "stable") context.arc(px(at[0]), py(at[1]), radius, 0, 2 * Math.PI);
       else context.rect(px(at[0]) - radius, py(at[1]) - radius, 2 * radius, 2 * radius);
       context.fill();
+      // The ends of a scale are as pale or as dark as the paper.
+      if (this.scale) context.stroke();
     }
     context.globalAlpha = 1;
     if (this.box) {
-      const [x, y] = [px(share(0, this.box.left)), py(share(1, this.box.high))];
+      const { left, right, low, high } = this.box;
       context.strokeStyle = now.jump;
       context.lineWidth = 1.5;
-      context.strokeRect(x, y, px(share(0, this.box.right)) - x, py(share(1, this.box.low)) - y);
+      context.strokeRect(x(left), y(high), x(right) - x(left), y(low) - y(high));
     }
     const at = this.chosen === undefined ? undefined : this.#shares(this.chosen);
     if (at) crosshair(context, px(at[0]), py(at[1]), now.text, now.paper);

@@ -5,13 +5,17 @@ use std::borrow::Cow;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use touchdown_dynamics::outcome::Class;
+use touchdown_figures::levels::Levels;
 
-use super::classes::class_words;
+use super::classes::{class_words, hex};
 use super::complaint::{Complaint, of_table};
 use super::in_units::in_units;
 use super::map::{cell, results_of, title, words_of};
 use super::request::{asked_units, read, written};
 use crate::named::{Named, Results, ResultsKind};
+
+/// Number of colours of a scale.
+const RAMP: usize = 12;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -23,20 +27,12 @@ struct Request {
 pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
     let request: Request = read(request)?;
     let units = asked_units(request.units.as_deref())?;
-    let as_written = results_of(named, &request.results)?;
+    let as_written = sample_of(named, &request.results)?;
     let converted = in_units(as_written, units)?;
     let results = converted.as_ref();
-    if results.kind != ResultsKind::Sample {
-        let allowed = "a table of landings: this one has transitions, which map tells";
-        return Err(Complaint::value(
-            "results",
-            format!("{:?}", results.name),
-            allowed,
-        ));
-    }
     let (heading, columns) = columns(results)?;
     let axes = results.axes.len();
-    let outcomes = columns[axes].clone();
+    let outcomes = columns[outcome_column(results)].clone();
     let mut told = heading
         .iter()
         .zip(columns)
@@ -72,7 +68,41 @@ pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
         "classes": Class::ALL.map(class_words),
         "class": class,
         "results": others,
+        "ramp": ramp(),
     }))
+}
+
+/// Finds a table of landings by name.
+///
+/// # Errors
+/// If there is none.
+pub fn sample_of<'n>(named: &'n Named, name: &str) -> Result<&'n Results, Complaint> {
+    let results = results_of(named, name)?;
+    match results.kind {
+        ResultsKind::Sample => Ok(results),
+        ResultsKind::Map | ResultsKind::Profile => Err(Complaint::value(
+            "results",
+            format!("{name:?}"),
+            "a table of landings: this one has transitions, which map tells",
+        )),
+    }
+}
+
+/// Index of the column of outcomes, which follows the axes.
+pub fn outcome_column(results: &Results) -> usize {
+    results.axes.len()
+}
+
+/// Colours of maps from the least to the greatest.
+fn ramp() -> Vec<String> {
+    let borders: Vec<f64> = (1..RAMP).map(|border| border as f64).collect();
+    let levels = Levels::listed(&borders).ok();
+    let colour = |levels: Levels| {
+        (0..RAMP)
+            .map(|step| hex(levels.colour(step as f64)))
+            .collect()
+    };
+    levels.map(colour).unwrap_or_default()
 }
 
 /// Names and cells of the columns of a table.
@@ -93,7 +123,7 @@ fn columns(results: &Results) -> Result<(csv::StringRecord, Vec<Vec<Value>>), Co
 }
 
 /// Index of the class of an outcome among all classes.
-fn class_place(outcome: &str) -> usize {
+pub fn class_place(outcome: &str) -> usize {
     let class = Class::of_outcome(outcome).unwrap_or(Class::Undecided);
     let place = Class::ALL.iter().position(|known| *known == class);
     place.unwrap_or_default()

@@ -119,11 +119,14 @@ export async function start() {
  * @param {import("playwright-core").Page} page @param {[number, number]} from @param {[number, number]} to
  */
 export async function brush(page, from, to) {
-  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await page.locator(".scatter canvas").boundingBox());
+  const canvas = page.locator(".scatter canvas");
+  await canvas.scrollIntoViewIfNeeded();
+  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await canvas.boundingBox());
   await page.mouse.move(box.x + from[0] * box.width, box.y + from[1] * box.height);
   await page.mouse.down();
   await page.mouse.move(box.x + to[0] * box.width, box.y + to[1] * box.height, { steps: 4 });
   await page.mouse.up();
+  await page.waitForSelector('.counts[aria-busy="false"]');
 }
 
 /** Waits until pictures have been drawn. @param {import("playwright-core").Page} page */

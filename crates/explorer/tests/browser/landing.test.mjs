@@ -149,7 +149,7 @@ test("a landing plays once by itself, unless motion is reduced", async () => {
     look();
   }));
   assert.ok(Number(seen) > 3, `${seen} times`);
-  assert.match((await page.locator(".hint").textContent()) ?? "", /Drag anything/);
+  assert.match((await page.locator(".landing-tab .hint").textContent()) ?? "", /Drag anything/);
   const still = await explorer.open();
   assert.equal(await still.locator(".landing-tab .play").getAttribute("aria-label"), "Play");
   await page.context().close();

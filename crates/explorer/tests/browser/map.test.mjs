@@ -135,11 +135,11 @@ test("a brush and the landing that was chosen survive a reload", async () => {
   await page.waitForFunction(() => location.hash.includes("brush=") && location.hash.includes("landing=2"));
   await page.reload();
   await page.waitForSelector(".sample-tab .outcome[data-class]");
-  assert.equal(await page.locator(".counts caption").textContent(), caption);
+  await page.waitForFunction((wanted) => document.querySelector(".counts caption")?.textContent === wanted, caption);
   assert.match((await page.locator(".sample-tab .reading").textContent()) ?? "", /^Landing 2,/);
   await page.getByLabel("Units").selectOption("SI");
   await page.waitForFunction(() => /m\/s/.test(document.querySelector(".sample-tab .reading")?.textContent ?? ""));
-  assert.equal(await page.locator(".counts caption").textContent(), caption);
+  await page.waitForFunction((wanted) => document.querySelector(".counts caption")?.textContent === wanted, caption);
   assert.deepEqual(explorer.complaints(), []);
   await page.context().close();
 });

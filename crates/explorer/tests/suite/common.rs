@@ -11,7 +11,7 @@ use serde_json::Value;
 use touchdown_explorer::interface::{Complaint, answer};
 use touchdown_explorer::named::Named;
 use touchdown_explorer::server::{LOOPBACK, Server, random_digits};
-use touchdown_sweep::library::Library;
+use touchdown_sweep::library::{Library, Source};
 
 /// Longest wait of a client.
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -21,6 +21,16 @@ pub fn named(files: &[&str]) -> Named {
     let root = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     let files: Vec<PathBuf> = files.iter().map(|file| root.join(file)).collect();
     Named::read(&files, Library::Disk, None).unwrap()
+}
+
+/// The explorer's input, made of one table.
+pub fn of_table(file: &str, text: &str) -> Named {
+    let path = PathBuf::from(file);
+    let copies = [Source {
+        path: path.clone(),
+        text: text.to_owned(),
+    }];
+    Named::read(&[path], Library::Copies(&copies), None).unwrap()
 }
 
 /// The Surveyor, a map and a profile.

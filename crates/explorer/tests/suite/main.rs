@@ -4,5 +4,6 @@ mod answers;
 mod common;
 mod complaints;
 mod maps;
+mod samples;
 mod strips;
 mod wild_clients;

@@ -9,17 +9,7 @@ use touchdown_explorer::interface::answer;
 use touchdown_explorer::named::Named;
 use touchdown_sweep::library::{Library, Source};
 
-use crate::common::{ask, named};
-
-/// The explorer's input, made of one table.
-fn of_table(file: &str, text: &str) -> Named {
-    let path = PathBuf::from(file);
-    let copies = [Source {
-        path: path.clone(),
-        text: text.to_owned(),
-    }];
-    Named::read(&[path], Library::Copies(&copies), None).unwrap()
-}
+use crate::common::{ask, named, of_table};
 
 #[test]
 fn a_map_is_a_grid_with_gaps_and_jumps() {

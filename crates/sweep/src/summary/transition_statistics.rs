@@ -261,8 +261,8 @@ fn interval_of(share: f64, points: usize) -> [Option<usize>; 2] {
     [low, (high < points).then_some(high)]
 }
 
-/// Edges of bins of a round width around sorted speeds.
-fn edges(sorted: &[f64]) -> Vec<f64> {
+/// Edges of some twenty bins of a round width around sorted numbers, each open at its lower end and closed at its upper end.
+pub fn edges(sorted: &[f64]) -> Vec<f64> {
     let (Some(first), Some(last)) = (sorted.first(), sorted.last()) else {
         return Vec::new();
     };
