@@ -58,11 +58,12 @@ for (const { name: source } of sources) {
   }
   requests.push(["parameters", { touchdown: { source } }], ["strip", { touchdown: { source } }]);
   requests.push(["bands", { touchdown: { source }, from_fps: 8, to_fps: 14 }]);
+  requests.push(["boundary", { touchdown: { source }, axes: ["cross_slope_deg", "roll_deg"], place: [170, 5] }]);
   for (const name of ["scene_file", "history_file", "command"]) requests.push([name, { touchdown: { source } }]);
 }
 for (const { name: results_, axes } of results) {
   const place = Object.fromEntries(axes.map((axis) => [axis, 7]));
-  requests.push(["map", { results: results_ }], ["at", { results: results_, place }]);
+  requests.push(["map", { results: results_ }], ["at", { results: results_, place }], ["table_file", { results: results_, units: "SI" }]);
 }
 requests.push(["landing", { touchdown: { values: { slope_deg: 95 } } }], ["landing", { what: 1 }], ["nothing", {}]);
 

@@ -45,12 +45,10 @@ async function start() {
     tabs.choose("landing");
   };
   const boundaries = known.results.filter(({ kind }) => kind !== "sample");
-  const map = boundaries.length ? new MapTab(boundaries, present) : undefined;
-  if (map) {
-    tabs.add("map", "Map", map.root);
-    map.addEventListener("explore", explore);
-    tabs.addEventListener("chosen", () => tabs.chosen === "map" && map.open());
-  }
+  const map = new MapTab(boundaries, present, known.sources);
+  tabs.add("map", "Map", map.root);
+  map.addEventListener("explore", explore);
+  tabs.addEventListener("chosen", () => tabs.chosen === "map" && map.open());
 
   const samples = known.results.filter(({ kind }) => kind === "sample");
   const sample = samples.length ? new SampleTab(samples, present) : undefined;
@@ -72,7 +70,7 @@ async function start() {
     const [panel] = panels;
     const view = panel.view.view === "corner" ? "" : panel.view.view;
     const t = player.isPlaying || player.time >= player.end ? "" : player.time.toFixed(3);
-    return toAddress(present, { tab, view, t, ...landing.kept.state(), ...map?.state(), ...sample?.state() });
+    return toAddress(present, { tab, view, t, ...landing.kept.state(), ...map.state(), ...sample?.state() });
   };
   byId("take", HTMLElement).append(new TakeAway(present, landing.replay, map, () => location.href.split("#")[0] + address()).root);
 
@@ -96,7 +94,7 @@ async function start() {
     const isKnown = named === null || known.sources.some(({ name }) => name === named);
     if (named !== null && isKnown) present.source = named;
     void landing.kept.restore(extra);
-    map?.restore(extra);
+    map.restore(extra);
     sample?.restore(extra);
     if (views.includes(extra.view)) panels[0].view.view = /** @type {import("./landing/stage.js").View} */ (extra.view);
     present.replace({ source: present.source, values: isKnown ? values : {} });
@@ -125,7 +123,7 @@ async function start() {
   present.addEventListener("values", () => (trouble.hidden = true));
   landing.kept.addEventListener("changed", keep);
   for (const kind of ["time", "state"]) player.addEventListener(kind, keep);
-  for (const kind of ["loaded", "landed"]) map?.addEventListener(kind, keep);
+  for (const kind of ["loaded", "landed"]) map.addEventListener(kind, keep);
   for (const kind of ["loaded", "axes", "selected"]) sample?.addEventListener(kind, keep);
   panels[0].root.addEventListener("view", keep);
   tabs.addEventListener("chosen", keep);

@@ -4,8 +4,10 @@
 
 mod bands;
 mod bins;
+mod boundary;
 mod classes;
 mod complaint;
+mod computed;
 mod in_units;
 mod inputs;
 mod landing;
@@ -14,6 +16,7 @@ mod parameters;
 mod request;
 mod rows;
 mod sample;
+mod search;
 mod speeds;
 mod strip;
 mod table_file;
@@ -25,12 +28,13 @@ use crate::named::Named;
 pub use complaint::{Complaint, Fault};
 
 /// Names of all requests.
-pub const NAMES: [&str; 13] = [
+pub const NAMES: [&str; 14] = [
     "inputs",
     "parameters",
     "landing",
     "strip",
     "bands",
+    "boundary",
     "map",
     "at",
     "sample",
@@ -60,6 +64,7 @@ pub fn answer(
         "landing" => landing::answer(named, request, is_over),
         "strip" => strip::answer(named, request, is_over),
         "bands" => bands::answer(named, request, is_over),
+        "boundary" => boundary::answer(named, request, is_over),
         "map" => map::answer(named, request),
         "at" => map::answer_at(named, request),
         "sample" => sample::answer(named, request),

@@ -68,13 +68,20 @@ export const strip = (request, signal) => ask("strip", request, signal);
 export const bands = (request, signal) => ask("bands", request, signal);
 
 /**
- * @param {{ results: string, axes?: string[], fixed?: Record<string, number | string>, units: string }} request
+ * @param {{ touchdown: Touchdown, axes: string[], place: number[], from_fps: number, to_fps: number }} request
+ * @param {AbortSignal} [signal]
+ * @returns {Promise<{ heading: string, row: string }>}
+ */
+export const boundary = (request, signal) => ask("boundary", request, signal);
+
+/**
+ * @param {{ results?: string, computed?: import("./types.js").Computed, axes?: string[], fixed?: Record<string, number | string>, units: string }} request
  * @returns {Promise<import("./types.js").MapAnswer>}
  */
 export const map = (request) => ask("map", request);
 
 /**
- * @param {{ results: string, place: Record<string, number | string>, units: string }} request
+ * @param {{ results?: string, computed?: import("./types.js").Computed, place: Record<string, number | string>, units: string }} request
  * @returns {Promise<import("./types.js").At>}
  */
 export const at = (request) => ask("at", request);
@@ -88,7 +95,7 @@ export const sample = (request) => ask("sample", request);
  */
 export const bins = (request) => ask("bins", request);
 
-/** @param {{ results: string, within: import("./types.js").Range[], units: string }} request
+/** @param {{ results?: string, computed?: import("./types.js").Computed, within: import("./types.js").Range[], units: string }} request
  * @returns {Promise<{ files: { name: string, text: string }[] }>} */
 export const tableFile = (request) => ask("table_file", request);
 

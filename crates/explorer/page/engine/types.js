@@ -68,6 +68,7 @@
  *   levels: { speed: number | null, colour: string }[], searched_to: number | null, lowest: [number, number][],
  *   words: Record<string, string | null>, colours: Record<string, string>,
  *   kinds: Kind[] }} MapAnswer
+ * @typedef {{ touchdown: Touchdown, axes: string[], from_fps: number, to_fps: number, table: string }} Computed
  * @typedef {{ place: Record<string, number>, speed: number | null, low: number | null, high: number | null, to: Class | null,
  *   certainty: string | null, below: Touchdown | null, above: Touchdown | null }} At
  *

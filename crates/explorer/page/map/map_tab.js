@@ -6,6 +6,7 @@ import { label, subscripted } from "../look/words.js";
 import { BoundaryChart } from "./boundary_chart.js";
 import { ContourMap } from "./contour_map.js";
 import { legendOf } from "./legend.js";
+import { MapForm } from "./map_form.js";
 import { partOf, partsOf } from "./parts.js";
 import { Sections } from "./sections.js";
 import { nearestPoint } from "./view.js";
@@ -15,13 +16,17 @@ import { SurfaceView } from "./surface_view.js";
 /** @typedef {import("../engine/types.js").MapPoint} MapPoint */
 /** @typedef {import("../engine/types.js").Touchdown} Touchdown */
 
-/** Results of sweeps and maps: contours, surface, sections, and the landings just below and just above the boundary. */
+/** Name of the map that is computed here. */
+const COMPUTED = "";
+
+/** Results of sweeps and maps, and a map that is computed here: contours, surface, sections, and the landings just below and just above the boundary. */
 export class MapTab extends EventTarget {
   /**
    * @param {import("../engine/types.js").ResultsEntry[]} results
    * @param {import("../present/present.js").Present} present
+   * @param {import("../engine/types.js").Source[]} sources
    */
-  constructor(results, present) {
+  constructor(results, present, sources) {
     super();
     /** @type {Record<string, string> | undefined} what an address asks for */
     this.wanted = undefined;
@@ -34,6 +39,12 @@ export class MapTab extends EventTarget {
     this.sections = new Sections(hover, choose);
     this.profile = new BoundaryChart(hover, choose);
     this.newest = new Newest();
+    this.growing = new Newest();
+    this.form = new MapForm(present, sources);
+    /** The map of the form that was shown last. @type {import("./computed_map.js").ComputedMap | undefined} */
+    this.grown = undefined;
+    /** @type {MapPoint | undefined} the point whose landings are shown */
+    this.chosen = undefined;
     this.which = element("select", { "aria-label": "Results" }, ...results.map(({ name, title }) => element("option", { value: name }, title)));
     this.axes = element("span", { class: "axes" });
     this.title = element("h2");
@@ -45,10 +56,12 @@ export class MapTab extends EventTarget {
     const captions = element("div", { class: "pair-captions" }, ...this.explore);
     this.pairRoot = element("section", { class: "pair", hidden: true, "aria-label": "Landings below and above the boundary" },
       element("h2", {}, "Just below the boundary, and just above it"), captions, this.pair.root);
+    this.head = element("div", { class: "map-head" }, element("label", {}, "Results ", this.which), this.axes);
     this.plane = element("div", { class: "plane" }, this.contour.root, this.surface.root);
     this.root = element("section", { class: "map-tab" },
-      element("div", { class: "map-head" }, element("label", {}, "Results ", this.which), this.axes),
-      this.title, this.conditions, this.plane, this.profile.root, this.legend, this.reading, this.sections.root, this.pairRoot);
+      this.form.root, this.head, this.title, this.conditions, this.plane, this.profile.root, this.legend, this.reading, this.sections.root, this.pairRoot);
+    for (const part of [this.head, this.plane, this.profile.root, this.sections.root]) part.hidden = true;
+    this.form.addEventListener("grown", () => this.#grow());
     this.which.addEventListener("change", () => this.load(this.which.value));
     present.addEventListener("units", () => this.#convert());
     this.explore.forEach((made, index) => made.addEventListener("click", () => {
@@ -60,6 +73,10 @@ export class MapTab extends EventTarget {
   /** Loads what was asked for, or the first results, when the tab is first seen. */
   async open() {
     if (this.map || this.isOpening) return;
+    if (this.results.length === 0) {
+      this.form.root.open = true;
+      return;
+    }
     this.isOpening = true;
     const { results, axes, at, fixed, part } = this.wanted ?? {};
     const known = this.results.some(({ name }) => name === results);
@@ -75,7 +92,7 @@ export class MapTab extends EventTarget {
 
   /** What an address holds of the map. */
   state() {
-    if (!this.map || !this.name) return this.wanted ?? {};
+    if (!this.map || !this.name) return this.map ? {} : (this.wanted ?? {});
     return {
       results: this.name === this.results[0].name ? "" : this.name,
       axes: this.map.axes.length > 1 ? this.map.axes.map(({ name }) => name).join(",") : "",
@@ -94,7 +111,7 @@ export class MapTab extends EventTarget {
 
   /** @param {Record<string, string>} extra of an address */
   restore({ results, axes, at, fixed, part }) {
-    if (!results && !axes && !at && !part) return;
+    if ((!results && !axes && !at && !part) || this.results.length === 0) return;
     const wanted = { results: results ?? this.results[0].name, axes, at, fixed, part };
     this.wanted = Object.fromEntries(Object.entries(wanted).filter(([, text]) => text));
     this.map = undefined;
@@ -110,17 +127,34 @@ export class MapTab extends EventTarget {
   async load(name, axes, fixed, rows) {
     this.which.value = name;
     const { units } = this.present;
-    const map = await engine.map({ results: name, units, ...(axes ? { axes } : {}), ...(fixed ? { fixed } : {}) });
+    const isSame = name === this.name;
+    const map = await engine.map({ ...this.#asked(name), units, ...(axes ? { axes } : {}), ...(fixed ? { fixed } : {}) });
     this.name = name;
     this.whole = map;
     const parts = partsOf(map);
-    this.#show(map, rows ?? parts[parts.length - 1]);
+    this.#show(map, rows ?? parts[parts.length - 1], isSame && name === COMPUTED);
+  }
+
+  /** How requests name the results that are shown. @param {string} name */
+  #asked(name) {
+    return name === COMPUTED && this.form.map ? { computed: this.form.map.told } : { results: name };
+  }
+
+  /** Shows the map that is computed here as far as it is, unless others have been chosen meanwhile. */
+  #grow() {
+    const { map } = this.form;
+    if (map !== this.grown) {
+      this.grown = map;
+      if (![...this.which.options].some(({ value }) => value === COMPUTED)) this.which.append(element("option", { value: COMPUTED }, "computed here"));
+      this.which.value = COMPUTED;
+    }
+    if (this.which.value === COMPUTED) void this.growing.run(() => this.load(COMPUTED));
   }
 
   /** Shows the same in other units. */
   async #convert() {
     const { whole, name, chosen, rows } = this;
-    if (!whole || !name) return;
+    if (!whole || name === undefined) return;
     const place = chosen?.place.join();
     const index = whole.points.findIndex((point) => point.place.join() === place);
     await this.load(name, whole.axes.map((axis) => axis.name), fixedOf(whole), rows);
@@ -128,13 +162,15 @@ export class MapTab extends EventTarget {
     if (point) await this.choose(point);
   }
 
-  /** @param {MapAnswer} whole @param {[number, number]} rows that are shown */
-  #show(whole, rows) {
+  /** @param {MapAnswer} whole @param {[number, number]} rows that are shown @param {boolean} [hasGrown] whether it keeps the point that is chosen */
+  #show(whole, rows, hasGrown = false) {
     const map = partOf(whole, rows);
+    const place = hasGrown ? this.chosen?.place.join() : undefined;
     this.map = map;
     this.rows = rows;
-    this.chosen = undefined;
-    this.pairRoot.hidden = true;
+    this.chosen = map.points.find((point) => point.place.join() === place);
+    if (!this.chosen) this.pairRoot.hidden = true;
+    this.head.hidden = false;
     this.title.replaceChildren(subscripted(map.title));
     this.conditions.textContent = [map.conditions, map.statement].filter(Boolean).join(" · ");
     const isMap = map.axes.length > 1;
@@ -148,15 +184,15 @@ export class MapTab extends EventTarget {
     this.legend.replaceChildren(...legendOf(map));
     if (isMap) {
       this.contour.set(map);
-      this.contour.choose(undefined);
+      this.contour.choose(this.chosen);
       this.surface.set(map);
-      this.surface.choose(undefined);
-      const least = lowest(map.points);
-      if (least) this.sections.show(map, least);
+      this.surface.choose(this.chosen);
+      const shown = this.chosen ?? lowest(map.points);
+      if (shown) this.sections.show(map, shown);
     } else {
       this.#showProfile();
     }
-    this.#tell(undefined);
+    this.#tell(this.chosen);
     this.dispatchEvent(new Event("loaded"));
   }
 
@@ -171,7 +207,7 @@ export class MapTab extends EventTarget {
   #writeAxes() {
     const { map, name } = this;
     this.axes.replaceChildren();
-    if (!map || !name || map.axes.length < 2) return;
+    if (!map || name === undefined || map.axes.length < 2) return;
     const all = [...map.axes, ...map.other_axes];
     const fixed = fixedOf(map);
     const names = map.axes.map((axis) => axis.name);
@@ -234,7 +270,7 @@ export class MapTab extends EventTarget {
   /** Lands on both sides of the boundary at a point. @param {MapPoint} point */
   async choose(point) {
     const { map, name } = this;
-    if (!map || !name) return;
+    if (!map || name === undefined) return;
     this.chosen = point;
     if (map.axes.length > 1) {
       this.contour.choose(point);
@@ -252,7 +288,7 @@ export class MapTab extends EventTarget {
       ]);
       this.pairRoot.hidden = false;
       const landings = await this.pair.landed(async () => {
-        const at = await engine.at({ results: name, place, units });
+        const at = await engine.at({ ...this.#asked(name), place, units });
         this.ends = [at.below, at.above];
         const wanted = this.ends.flatMap((touchdown) => (touchdown ? [touchdown] : []));
         return Promise.all(wanted.map((touchdown) => engine.landing({ touchdown, units })));

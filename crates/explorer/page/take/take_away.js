@@ -15,7 +15,7 @@ export class TakeAway {
   /**
    * @param {import("../present/present.js").Present} present
    * @param {Replay} replay the present landing
-   * @param {MapTab | undefined} map
+   * @param {MapTab} map
    * @param {() => string} address that restores what is shown
    */
   constructor(present, replay, map, address) {
@@ -42,17 +42,18 @@ export class TakeAway {
     });
     add("Picture, SVG", () => this.#stageSvg());
     this.movie = add("Animation, WebM", () => this.#record());
-    if (map) {
-      add("Map, PNG", async () => save("map.png", await png(map.contour.canvas)));
-      add("Map, SVG", () => {
-        const { contour } = map;
-        if (!contour.map) throw new Error("open a map first");
-        const svg = new SvgContext(contour.size[0], contour.size[1]);
-        contour.paint(svg.context, contour.map);
-        save("map.svg", svg.toString(), "image/svg+xml");
-      });
-      add("Surface, SVG", () => save("surface.svg", surfaceSvg(map.surface), "image/svg+xml"));
-    }
+    const { contour } = map;
+    const opened = () => {
+      if (!contour.map) throw new Error("open a map first");
+      return contour.map;
+    };
+    add("Map, PNG", async () => opened() && save("map.png", await png(contour.canvas)));
+    add("Map, SVG", () => {
+      const svg = new SvgContext(contour.size[0], contour.size[1]);
+      contour.paint(svg.context, opened());
+      save("map.svg", svg.toString(), "image/svg+xml");
+    });
+    add("Surface, SVG", () => save("surface.svg", surfaceSvg(map.surface), "image/svg+xml"));
     this.root = element("details", { class: "take" }, element("summary", {}, "Take away"), element("div", { class: "menu" }, items, this.note, this.command));
     this.root.addEventListener("keydown", (event) => {
       if (event.key !== "Escape") return;

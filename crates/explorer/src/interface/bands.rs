@@ -1,29 +1,18 @@
 //! `bands`: bands over a range of V_H with their certainty, as found by a sweep.
 
-use std::sync::Arc;
-
-use futures::executor::block_on;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
-use touchdown_dynamics::landing::land_located_while;
-use touchdown_sweep::boundary::{self, Boundary, Extent, Search};
-use touchdown_sweep::certainty::{Certainty, Doubt};
-use touchdown_sweep::refine::Refinement;
-use touchdown_sweep::search_range::Scan;
-use touchdown_sweep::trial::{Scales, Trial};
-use touchdown_sweep::variation::Variation;
+use touchdown_sweep::boundary::{self, Boundary, Extent};
+use touchdown_sweep::certainty::Certainty;
 
 use super::IsOver;
 use super::classes::{ClassWords, class_words};
 use super::complaint::Complaint;
 use super::request::{Asked, read, written};
-use super::strip::{range, settings};
+use super::search::find;
+use super::strip::range;
 use super::touchdown::Touchdown;
 use crate::named::Named;
-
-/// Number of scan steps, and width of a bracket, ft/s.
-const SCAN: f64 = 100.0;
-const TOLERANCE: f64 = 1e-3;
 
 #[derive(Deserialize, Default)]
 #[serde(default, deny_unknown_fields)]
@@ -49,38 +38,8 @@ struct Band {
 pub fn answer(named: &Named, request: &str, is_over: IsOver) -> Result<String, Complaint> {
     let request: Request = read(request)?;
     let touchdown = Touchdown::of(named, &request.touchdown)?;
-    let scene = touchdown.scene()?;
-    let [from, to] = range(&touchdown, request.from_fps, request.to_fps)?;
-    let settings = settings(&touchdown)?;
-    let vehicle = Arc::new(touchdown.vehicle.vehicle.clone());
-    let scales = Scales::of(&vehicle, &scene);
-    let search = Search {
-        from,
-        to,
-        scan_step: (to - from) / SCAN,
-        parts_below: Search::PARTS_BELOW,
-        tolerance: TOLERANCE,
-        extent: Extent::All,
-        scan: Scan::default(),
-        scan_looseness: 1.0,
-        refinement: Refinement::Margin,
-        doubt: Doubt::default(),
-        kept: 0.0,
-    };
-    let at = async |speed: f64, variation: Variation| -> Result<Trial, Complaint> {
-        let moved = (scene.with_horizontal_velocity(speed)).map_err(Complaint::engine)?;
-        let (scene, settings) = variation.of(&moved, &settings).map_err(Complaint::engine)?;
-        let (none, goes_on) = (&mut |_: &_| {}, || !is_over());
-        let landing = land_located_while(&vehicle, &scene, &settings, f64::INFINITY, none, goes_on);
-        let landing = landing.ok_or_else(Complaint::over)?;
-        Ok(Trial::of(
-            landing,
-            &scales,
-            settings.tolerance(),
-            search.kept,
-        ))
-    };
-    let found = block_on(search.boundary(at))?;
+    let range = range(&touchdown, request.from_fps, request.to_fps)?;
+    let found = find(&touchdown, range, Extent::All, is_over)?;
     let bands: Vec<Band> = found.bands.iter().map(band).collect();
     written(&json!({
         "bands": bands,

@@ -3,6 +3,8 @@
 mod picture;
 mod table;
 
+use std::borrow::Cow;
+
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
 use touchdown_figures::bands_table::BandsTable;
@@ -12,8 +14,9 @@ use touchdown_figures::unit::split_unit;
 
 use super::classes::class_words;
 use super::complaint::{Complaint, of_table};
+use super::computed::Computed;
 use super::in_units::{in_units, name_in, values_in};
-use super::request::{asked_units, read, written};
+use super::request::{Asked, asked_units, read, written};
 use crate::named::{Named, Results, ResultsKind};
 
 use picture::Picture;
@@ -23,7 +26,8 @@ use table::{Point, Transitions, described};
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Request {
-    results: String,
+    results: Option<String>,
+    computed: Option<Computed>,
     #[serde(default)]
     axes: Vec<String>,
     #[serde(default)]
@@ -34,7 +38,8 @@ struct Request {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct AtRequest {
-    results: String,
+    results: Option<String>,
+    computed: Option<Computed>,
     place: Map<String, Value>,
     units: Option<String>,
 }
@@ -42,7 +47,8 @@ struct AtRequest {
 pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
     let request: Request = read(request)?;
     let units = asked_units(request.units.as_deref())?;
-    let results = in_units(transitions_of(named, &request.results)?, units)?;
+    let table = transitions_of(named, request.results.as_deref(), request.computed.as_ref())?;
+    let results = in_units(&table, units)?;
     let results = results.as_ref();
     let all = Transitions::read(results)?;
     let (axes, fixed) = match units {
@@ -107,7 +113,8 @@ pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
 pub fn answer_at(named: &Named, request: &str) -> Result<String, Complaint> {
     let request: AtRequest = read(request)?;
     let units = asked_units(request.units.as_deref())?;
-    let results = transitions_of(named, &request.results)?;
+    let table = transitions_of(named, request.results.as_deref(), request.computed.as_ref())?;
+    let results = table.as_ref();
     let shown = Transitions::read(in_units(results, units)?.as_ref())?;
     let place = match units {
         Some(units) => values_in(&request.place, units),
@@ -119,14 +126,20 @@ pub fn answer_at(named: &Named, request: &str) -> Result<String, Complaint> {
     let point = &all.points[nearest];
     let place = all.place(nearest);
     let caption = caption(results)?;
-    let source = named.source_of(results);
+    let asked = match request.computed {
+        Some(computed) => computed.touchdown,
+        None => Asked {
+            source: Some(named.source_of(results).to_owned()),
+            ..Asked::default()
+        },
+    };
     let speed_name = format!("horizontal_velocity{}", caption.speed_unit.ending());
     let touchdown = |speed: f64| {
         let mut values = place.clone();
         values.insert(speed_name.clone(), json!(speed));
         // Search parameters varied by a sweep are not numbers of a landing.
         values.retain(|name, _| !name.starts_with("search."));
-        json!({"source": source, "values": values})
+        json!(asked.with(values.into_iter()))
     };
     let below = match &point.transition {
         Some(found) => found.low.map(touchdown),
@@ -155,12 +168,34 @@ pub fn results_of<'n>(named: &'n Named, name: &str) -> Result<&'n Results, Compl
     })
 }
 
-fn transitions_of<'n>(named: &'n Named, name: &str) -> Result<&'n Results, Complaint> {
-    let results = results_of(named, name)?;
+/// The table of a request: one that it names, or that a page computes.
+///
+/// # Errors
+/// If there is none, or both.
+pub fn table_of<'n>(
+    named: &'n Named,
+    name: Option<&str>,
+    computed: Option<&Computed>,
+) -> Result<Cow<'n, Results>, Complaint> {
+    match (name, computed) {
+        (Some(name), None) => results_of(named, name).map(Cow::Borrowed),
+        (None, Some(computed)) => computed.results(named).map(Cow::Owned),
+        _ => Err(Complaint::request(
+            "not a request: expected either `results` or `computed`",
+        )),
+    }
+}
+
+fn transitions_of<'n>(
+    named: &'n Named,
+    name: Option<&str>,
+    computed: Option<&Computed>,
+) -> Result<Cow<'n, Results>, Complaint> {
+    let results = table_of(named, name, computed)?;
     match results.kind {
         ResultsKind::Sample => Err(Complaint::value(
             "results",
-            format!("{name:?}"),
+            format!("{:?}", results.name),
             "a table of transitions: this one has landings, which sample tells",
         )),
         ResultsKind::Map | ResultsKind::Profile => Ok(results),

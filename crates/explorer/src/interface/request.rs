@@ -3,20 +3,39 @@
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
+use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_sweep::output_units::OutputUnits;
+use touchdown_sweep::parameter::Parameter;
 
 use super::complaint::Complaint;
 
 /// A touchdown of a request.
-#[derive(Debug, Clone, Default, Deserialize)]
+#[derive(Debug, Clone, Default, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Asked {
     /// Name of the source.
     pub source: Option<String>,
     /// Text of a vehicle file that replaces the source's.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub vehicle: Option<String>,
     /// Numbers and words by dotted names.
     pub values: Map<String, Value>,
+}
+
+impl Asked {
+    /// The touchdown with other numbers, under whatever names it has them.
+    #[must_use]
+    pub fn with(&self, others: impl Iterator<Item = (String, Value)>) -> Self {
+        let named = |name: &str| Parameter::named(name, MOST_LEGS);
+        let mut asked = self.clone();
+        for (name, value) in others {
+            let other = named(&name);
+            (asked.values)
+                .retain(|known, _| known != &name && (other.is_none() || named(known) != other));
+            asked.values.insert(name, value);
+        }
+        asked
+    }
 }
 
 /// Parses a request.

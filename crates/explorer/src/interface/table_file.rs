@@ -1,19 +1,21 @@
-//! `table_file`: a table of landings as a file, or those of its rows that lie within ranges.
+//! `table_file`: a table of results as a file, or those of its rows that lie within ranges.
 
 use serde::Deserialize;
 use serde_json::json;
 
 use super::complaint::{Complaint, of_table};
+use super::computed::Computed;
 use super::in_units::in_units;
+use super::map::table_of;
 use super::request::{asked_units, read, written};
 use super::rows::{Range, Rows};
-use super::sample::sample_of;
 use crate::named::Named;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Request {
-    results: String,
+    results: Option<String>,
+    computed: Option<Computed>,
     #[serde(default)]
     within: Vec<Range>,
     units: Option<String>,
@@ -22,7 +24,8 @@ struct Request {
 pub fn answer(named: &Named, request: &str) -> Result<String, Complaint> {
     let request: Request = read(request)?;
     let units = asked_units(request.units.as_deref())?;
-    let results = in_units(sample_of(named, &request.results)?, units)?;
+    let table = table_of(named, request.results.as_deref(), request.computed.as_ref())?;
+    let results = in_units(&table, units)?;
     let rows = Rows::read(&results)?;
     let are_within = rows.within(&request.within)?;
     let fault = |error: csv::Error| of_table(&results, error);

@@ -97,7 +97,7 @@ impl Limits {
     /// Turns for a kind of request.
     pub fn turns(&self, name: &str) -> Arc<Semaphore> {
         Arc::clone(match name {
-            "strip" | "bands" => &self.long,
+            "strip" | "bands" | "boundary" => &self.long,
             _ => &self.quick,
         })
     }

@@ -3,6 +3,7 @@
 mod answers;
 mod common;
 mod complaints;
+mod computed_maps;
 mod maps;
 mod samples;
 mod strips;

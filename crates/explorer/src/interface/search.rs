@@ -1,0 +1,64 @@
+//! The search of a sweep at one touchdown.
+
+use std::sync::Arc;
+
+use futures::executor::block_on;
+use touchdown_dynamics::landing::land_located_while;
+use touchdown_sweep::boundary::{Boundary, Extent, Search};
+use touchdown_sweep::certainty::Doubt;
+use touchdown_sweep::refine::Refinement;
+use touchdown_sweep::search_range::Scan;
+use touchdown_sweep::trial::{Scales, Trial};
+use touchdown_sweep::variation::Variation;
+
+use super::IsOver;
+use super::complaint::Complaint;
+use super::strip::settings;
+use super::touchdown::Touchdown;
+
+/// Number of scan steps, and width of a bracket, ft/s.
+const SCAN: f64 = 100.0;
+const TOLERANCE: f64 = 1e-3;
+
+/// Searches a range of V_H, ft/s.
+///
+/// # Errors
+/// If the answer is no longer wanted, or the touchdown is not allowed.
+pub fn find(
+    touchdown: &Touchdown,
+    [from, to]: [f64; 2],
+    extent: Extent,
+    is_over: IsOver,
+) -> Result<Boundary, Complaint> {
+    let scene = touchdown.scene()?;
+    let settings = settings(touchdown)?;
+    let vehicle = Arc::new(touchdown.vehicle.vehicle.clone());
+    let scales = Scales::of(&vehicle, &scene);
+    let search = Search {
+        from,
+        to,
+        scan_step: (to - from) / SCAN,
+        parts_below: Search::PARTS_BELOW,
+        tolerance: TOLERANCE,
+        extent,
+        scan: Scan::default(),
+        scan_looseness: 1.0,
+        refinement: Refinement::Margin,
+        doubt: Doubt::default(),
+        kept: 0.0,
+    };
+    let at = async |speed: f64, variation: Variation| -> Result<Trial, Complaint> {
+        let moved = (scene.with_horizontal_velocity(speed)).map_err(Complaint::engine)?;
+        let (scene, settings) = variation.of(&moved, &settings).map_err(Complaint::engine)?;
+        let (none, goes_on) = (&mut |_: &_| {}, || !is_over());
+        let landing = land_located_while(&vehicle, &scene, &settings, f64::INFINITY, none, goes_on);
+        let landing = landing.ok_or_else(Complaint::over)?;
+        Ok(Trial::of(
+            landing,
+            &scales,
+            settings.tolerance(),
+            search.kept,
+        ))
+    };
+    block_on(search.boundary(at))
+}
