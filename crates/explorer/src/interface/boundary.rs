@@ -34,7 +34,7 @@ pub fn answer(named: &Named, request: &str, is_over: IsOver) -> Result<String, C
     let touchdown = Touchdown::of(named, &request.touchdown.with(values))?;
     let range = range(&touchdown, request.from_fps, request.to_fps)?;
     let found = find(&touchdown, range, Extent::First, is_over)?;
-    let legs = touchdown.vehicle.vehicle.legs().len();
+    let legs = touchdown.vehicle.vehicle.leg_count();
     let row = (request.place.into_iter().map(Cell::Number)).chain(cells(&COLUMNS, &found, legs));
     let row: Vec<String> = row.map(|cell| cell.to_string()).collect();
     written(&json!({"heading": request.axes.heading(), "row": row.join(",")}))

@@ -34,14 +34,14 @@ impl EarlyStop {
         };
         if ends_early && !opened.done.is_empty() {
             let mut results = opened.journal.so_far(sweep.design.count())?;
-            let mut point = 0;
-            while !known.is_enough && opened.done.contains(point) {
+            // Also points behind a gap, which is filled now.
+            let points = 0..sweep.design.count();
+            for point in points.filter(|point| opened.done.contains(*point)) {
                 let bytes = results.result(point)?;
-                let Some(finding) = bytes.as_deref().and_then(Finding::decode) else {
+                let finding = bytes.as_deref().and_then(Finding::decode);
+                if finding.is_some_and(|finding| known.is_enough_with(sweep, point, finding)) {
                     break;
-                };
-                known.is_enough_with(sweep, point, finding);
-                point += 1;
+                }
             }
         }
         Ok(known)
