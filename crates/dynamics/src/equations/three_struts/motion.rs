@@ -186,6 +186,7 @@ impl Motion {
     }
 
     /// One leg at a state.
+    #[inline(always)]
     pub(super) fn act(
         &self,
         leg: usize,
@@ -235,6 +236,7 @@ impl Motion {
     }
 
     /// Writes the time derivative of the state and the signals of all legs, under this thrust (lb).
+    #[inline(always)]
     pub fn evaluate(
         &self,
         thrust: f64,
@@ -287,6 +289,7 @@ impl Motion {
     }
 
     /// Writes the time derivative of the state under this thrust (lb).
+    #[inline(always)]
     pub fn derive(
         &self,
         thrust: f64,
@@ -394,6 +397,7 @@ impl Motion {
 }
 
 impl LegAction {
+    #[inline(always)]
     fn signals(&self) -> LegSignals {
         let mut signals = [0.0; SIGNALS];
         signals[INTERFERENCE] = self.interference;

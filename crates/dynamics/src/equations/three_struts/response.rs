@@ -69,6 +69,7 @@ struct Eliminated {
 
 impl Motion {
     /// The derivatives of the forces at a state.
+    #[inline(always)]
     pub fn respond(&self, state: &State, pieces: &PerLeg<LegPieces>) -> Response {
         let body = state.body();
         let frame = rotation(&body.quaternion);
@@ -85,6 +86,7 @@ impl Motion {
         }
     }
 
+    #[inline(always)]
     fn leg_responds(
         &self,
         leg: usize,
@@ -147,6 +149,7 @@ impl Motion {
 }
 
 /// Place of a foot at `place` in the body per displacement of the body: translation, then rotation.
+#[inline(always)]
 fn carried(place: &Vector3<f64>) -> Matrix3x6<f64> {
     let mut carried = Matrix3x6::zeros();
     carried
@@ -158,6 +161,7 @@ fn carried(place: &Vector3<f64>) -> Matrix3x6<f64> {
 
 impl Response {
     /// The equations of an implicit stage of weight τ (s), factored.
+    #[inline(always)]
     pub fn over(&self, tau: f64) -> StageFactors<'_> {
         let mut matrix = Matrix6::zeros();
         (matrix.fixed_view_mut::<3, 3>(0, 0)).copy_from(&(Matrix3::identity() * self.mass));
@@ -205,6 +209,7 @@ impl Response {
 
 impl StageFactors<'_> {
     /// Forces on the body and on a foot that given displacements of both make, vehicle axes, lb and ft·lb.
+    #[inline(always)]
     fn pushes(
         &self,
         leg: usize,
@@ -222,6 +227,7 @@ impl StageFactors<'_> {
 }
 
 impl StageEquations<f64, State> for StageFactors<'_> {
+    #[inline(always)]
     fn solve(&self, r: &State, u: &mut State) {
         let (tau, response) = (self.tau, self.response);
         let frame = &response.frame;
@@ -263,6 +269,7 @@ impl StageEquations<f64, State> for StageFactors<'_> {
         }
     }
 
+    #[inline(always)]
     fn accumulate(
         &self,
         before: &State,
@@ -275,6 +282,7 @@ impl StageEquations<f64, State> for StageFactors<'_> {
     }
 }
 
+#[inline(always)]
 fn stacked(first: &Vector3<f64>, second: &Vector3<f64>) -> Vector6<f64> {
     Vector6::new(first.x, first.y, first.z, second.x, second.y, second.z)
 }

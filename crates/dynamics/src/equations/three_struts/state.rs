@@ -43,6 +43,7 @@ impl State {
     }
 
     /// The rigid body.
+    #[inline(always)]
     pub fn body(&self) -> Body<f64> {
         let b = &self.motion;
         Body {
@@ -54,6 +55,7 @@ impl State {
     }
 
     /// Writes the rigid body.
+    #[inline(always)]
     pub fn set_body(&mut self, body: &Body<f64>) {
         self.motion[0..3].copy_from_slice(body.position.as_slice());
         self.motion[3..6].copy_from_slice(body.velocity.as_slice());
@@ -62,6 +64,7 @@ impl State {
     }
 
     /// The foot of leg `leg`.
+    #[inline(always)]
     pub fn foot(&self, leg: usize) -> FootState {
         let f = &self.motion[BODY + FOOT * leg..][..FOOT];
         FootState {
@@ -71,6 +74,7 @@ impl State {
     }
 
     /// Writes the foot of leg `leg`.
+    #[inline(always)]
     pub fn set_foot(&mut self, leg: usize, foot: &FootState) {
         let f = &mut self.motion[BODY + FOOT * leg..][..FOOT];
         f[..3].copy_from_slice(foot.position.as_slice());
@@ -83,6 +87,7 @@ impl State {
     }
 
     /// Writes the work done on leg `leg`, ft·lb, or its rate.
+    #[inline(always)]
     pub fn set_works(&mut self, leg: usize, works: [f64; WORKS]) {
         self.works[WORKS * leg..][..WORKS].copy_from_slice(&works);
     }
@@ -94,6 +99,7 @@ impl State {
 
     /// Sums the works by Simpson's rule over a step of length `h` from `before`, from their rates at its start, middle
     /// and end. Writes an estimate of their error, over h.
+    #[inline(always)]
     pub(super) fn accumulate(
         &mut self,
         before: &Self,
@@ -109,12 +115,14 @@ impl State {
         }
     }
 
+    #[inline(always)]
     fn motion_numbers(&self) -> usize {
         BODY + FOOT * self.legs
     }
 }
 
 impl StateVector<f64> for State {
+    #[inline(always)]
     fn advance<const TERMS: usize>(
         &self,
         weights: [f64; TERMS],
@@ -128,6 +136,7 @@ impl StateVector<f64> for State {
         }
     }
 
+    #[inline(always)]
     fn advance_motion<const TERMS: usize>(
         &self,
         weights: [f64; TERMS],
@@ -140,6 +149,7 @@ impl StateVector<f64> for State {
         }
     }
 
+    #[inline(always)]
     fn midway(&self, end: &Self, eighth: f64, [first, last]: [&Self; 2], middle: &mut Self) {
         for i in 0..self.motion_numbers() {
             middle.motion[i] = 0.5 * (self.motion[i] + end.motion[i])
@@ -147,6 +157,7 @@ impl StateVector<f64> for State {
         }
     }
 
+    #[inline(always)]
     fn set_mean_rate(&mut self, start: &Self, end: &Self, length: f64) {
         for i in 0..self.motion_numbers() {
             self.motion[i] = (end.motion[i] - start.motion[i]) / length;
@@ -156,6 +167,7 @@ impl StateVector<f64> for State {
         }
     }
 
+    #[inline(always)]
     fn set_motion_over(&mut self, change: &Self, length: f64) {
         for i in 0..self.motion_numbers() {
             self.motion[i] = change.motion[i] / length;
@@ -163,6 +175,7 @@ impl StateVector<f64> for State {
     }
 
     /// The motion is weighed by its own magnitude or one, whichever is greater, as that of a vehicle on hinged legs.
+    #[inline(always)]
     fn greatest_error<const TERMS: usize>(
         weights: [f64; TERMS],
         slopes: [&Self; TERMS],

@@ -48,6 +48,7 @@ impl Struts {
     }
 
     /// The struts with the foot at a place.
+    #[inline(always)]
     pub(super) fn at(&self, foot: &Vector3<f64>) -> [Reach; STRUTS] {
         let [primary, ..] = &self.hardpoints;
         let (length, along) = length_and_direction(&(foot - primary));
@@ -72,6 +73,7 @@ impl Struts {
     }
 }
 
+#[inline(always)]
 fn length_and_direction(span: &Vector3<f64>) -> (f64, Vector3<f64>) {
     let length = libm::sqrt(span.norm_squared());
     (length, span / length)

@@ -1,6 +1,7 @@
 //! A landing followed from step to step until its outcome.
 
 use arrayvec::ArrayVec;
+use pulp::NullaryFnOnce;
 
 use super::extremes::{Extremes, Seen};
 use crate::equations::three_struts::{Motion, Signals, State};
@@ -20,6 +21,7 @@ use crate::landing::trajectory::{event_resolution, work_error};
 use crate::laws::three_struts::{LegLaws, LegMode, LegPieces, SIGNALS};
 use crate::outcome::{Class, Failure, Outcome};
 use crate::per_leg::{MOST_LEGS, PerLeg};
+use crate::registers::{Registers, Single};
 use crate::rules::RestRule;
 use crate::scene::{Scene, Settings};
 use crate::three_strut_leg::ThreeStrutLeg;
@@ -31,6 +33,7 @@ const MOST_SIGNALS: usize = SIGNALS * MOST_LEGS;
 
 /// A landing under way.
 pub(in crate::landing) struct Simulation<'o> {
+    registers: Single,
     pub(super) scene: Scene,
     pub(super) settings: Settings,
     pub(super) motion: Motion,
@@ -94,6 +97,7 @@ impl<'o> Simulation<'o> {
         let gravity = scene.gravity(vehicle);
         let energy = motion.kinetic(&state) + motion.total_mass() * gravity * height;
         Self {
+            registers: Single::fastest(),
             scene: *scene,
             settings: *settings,
             pieces: PerLeg::from_fn(legs.len(), |j| modes[j].pieces(&laws[j])),
@@ -212,6 +216,13 @@ impl<'o> Simulation<'o> {
 
     /// Attempts a step of this length (s). Returns its error in units of the tolerance.
     fn attempt(&mut self, length: f64) -> f64 {
+        let registers = self.registers;
+        registers.dispatch(Attempt(self, length))
+    }
+
+    /// Body of `attempt`, compiled for any registers.
+    #[inline(always)]
+    fn attempt_in_registers(&mut self, length: f64) -> f64 {
         let Self {
             motion,
             pieces,
@@ -423,5 +434,18 @@ impl UnderWay for Simulation<'_> {
             }),
             ..self.account(verdict)
         }
+    }
+}
+
+/// Attempt of a step, compiled for the registers of a single landing.
+struct Attempt<'a, 'o>(&'a mut Simulation<'o>, f64);
+
+impl NullaryFnOnce for Attempt<'_, '_> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn call(self) -> f64 {
+        let Self(simulation, length) = self;
+        simulation.attempt_in_registers(length)
     }
 }
