@@ -73,7 +73,7 @@ fn committed_pictures_are_drawn_again_from_their_tables() {
             compared += usize::from(kept.is_some());
         }
     }
-    assert_eq!(compared, 30);
+    assert_eq!(compared, 31);
 }
 
 #[test]
