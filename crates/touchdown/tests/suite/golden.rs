@@ -16,7 +16,7 @@ use crate::common::Bench;
 pub const RENEW: &str = "TOUCHDOWN_RENEW_GOLDEN";
 
 /// What is run in the folder of the input, by the name of the folder of its results; `OUT` stands for that folder.
-const RUNS: [(&str, &[&str]); 16] = [
+const RUNS: [(&str, &[&str]); 17] = [
     (
         "landings",
         &[
@@ -59,6 +59,17 @@ const RUNS: [(&str, &[&str]); 16] = [
         &[
             "land",
             "history-si.toml",
+            "--interval",
+            "0.1",
+            "--out",
+            "OUT",
+        ],
+    ),
+    (
+        "three-struts",
+        &[
+            "land",
+            "three-struts.toml",
             "--interval",
             "0.1",
             "--out",
