@@ -240,7 +240,7 @@ impl StabilityMonitor {
     pub fn critical_feet(&self, footing: &Footing) -> [usize; 2] {
         match self.reference {
             Reference::Plane(_) => [self.feet.negative, self.feet.positive],
-            Reference::Hull => Hull::of(&footing.feet).critical_supports(),
+            Reference::Hull => critical_feet_of_hull(&footing.feet),
         }
     }
 
@@ -429,6 +429,12 @@ impl StabilityMonitor {
             None
         }
     }
+}
+
+/// Feet at the ends of the edge of their hull over which the CG is nearest to tipping. They are seen from the CG in ground
+/// axes.
+pub fn critical_feet_of_hull(feet: &[Vector3<f64>]) -> [usize; 2] {
+    Hull::of(feet).critical_supports()
 }
 
 /// The stretch between two neighbouring limits in which a calm quantity lies. A value at a limit lies beyond it, seen

@@ -30,14 +30,15 @@
  * @typedef {{ leg: number, of: "pad" | "block", point: Vector, normal: Vector, is_even: boolean }} Patch
  * @typedef {{ slope_deg: number, normal: Vector, downhill: Vector, surface_point: Vector, velocity_direction: Vector,
  *   patches: Patch[] }} Ground
+ * @typedef {{ from: Vector, length: number, minimum_length: number, maximum_length: number, collar: number | null }} StrutShape
  * @typedef {{ azimuth_deg: number, outboard: Vector, lower_hardpoint: Vector, upper_hardpoint: Vector,
- *   strut: { extended_length: number, minimum_length: number, kind: string },
+ *   link_length: number | null, struts: StrutShape[],
  *   footpad: { diameter: number, height: number },
  *   block: { face: Vector, diameter: number, height: number } | null }} LegShape
  * @typedef {{ center: Vector, body: { top: number, bottom: number, radius: number }, ring: number[],
  *   legs: LegShape[] }} VehicleShape
  * @typedef {{ pivot: Vector[], pad_axis: Vector[], pad_crush: [number, number][], block_crush: number[],
- *   pad_interference: [number, number][], block_interference: number[], stroke: number[], strut_force: number[],
+ *   pad_interference: [number, number][], block_interference: number[], strokes: number[][], strut_forces: number[][],
  *   pad_force: Vector[], block_force: Vector[], is_down: boolean[] }} LegInstants
  * @typedef {{ time_s: number[], center_of_gravity: Vector[], rotation: number[][], legs: LegInstants[],
  *   critical_edge: ([number, number] | null)[], stability_angle_deg: number[] }} Instants

@@ -31,7 +31,7 @@ export class Body {
     const deck = mean(lowers.map((point) => point.z));
     const top = Math.min(...uppers.map((point) => point.z), deck - 0.1 * size);
     const beam = 0.008 * size;
-    const frame = new Rods(materials.metal, 6 * lowers.length + 1);
+    const frame = new Rods(materials.metal, shape.legs.reduce((count, leg) => count + 6 + leg.struts.length, 1));
     let laid = 0;
     const add = (/** @type {Vector3} */ from, /** @type {Vector3} */ to, thickness = beam) => frame.lay(laid++, thickness, from, to);
     for (const [index, lower] of lowers.entries()) {
@@ -42,6 +42,10 @@ export class Body {
       add(lower, uppers[next], 0.7 * beam);
       add(uppers[index], lowers[next], 0.7 * beam);
       add(lower, new Vector3(cx, cy, deck));
+      for (const strut of shape.legs[index].struts) {
+        at.set(...strut.from);
+        add(at, at.distanceTo(lower) < at.distanceTo(uppers[index]) ? lower : uppers[index]);
+      }
     }
     const inner = 0.5 * mean(lowers.map((point) => Math.hypot(point.x - cx, point.y - cy)));
     const sides = 2 * shape.legs.length;

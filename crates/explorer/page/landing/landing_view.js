@@ -63,7 +63,7 @@ export class LandingView {
         part.removeFromParent();
       });
     }
-    const reach = Math.max(...vehicle.legs.map((leg) => Math.hypot(...leg.lower_hardpoint) + leg.strut.extended_length));
+    const reach = Math.max(...vehicle.legs.map((leg) => Math.hypot(...leg.lower_hardpoint) + leg.struts[0].length));
     const size = 2 * reach;
     const made = materials();
     const legs = new Legs(vehicle.legs, made, size);

@@ -4,34 +4,47 @@ import { Rods } from "./shapes.js";
 
 /** @typedef {import("./materials.js").Materials} Materials */
 /** @typedef {import("./motion.js").Pose} Pose */
+/** @typedef {import("../engine/types.js").StrutShape} StrutShape */
 
 /** Part of the extended strut that its sleeve takes. */
 const SLEEVE = 0.6;
-/** Rods of a leg: two of its fork, sleeve and rod of its strut. */
-const RODS = 4;
-const [upper, hinge, foot, outboard, joint] = [0, 1, 2, 3, 4].map(() => new Vector3());
+/** Rods of a fork; and sleeve and rod of a strut. */
+const [FORK, STRUT] = [2, 2];
+const [hinge, foot, outboard] = [0, 1, 2].map(() => new Vector3());
+const [start, joint, end, primary] = [0, 1, 2, 3].map(() => new Vector3());
 const colour = new Color();
 
-/** The legs: of each the lower link as a fork, the strut with its rod in its sleeve, and the footpad. */
+/** The legs: of each the lower link as a fork, if it has one, its struts, each with its rod in its sleeve, and the footpad. */
 export class Legs {
   /** @param {import("../engine/types.js").LegShape[]} shapes @param {Materials} materials @param {number} size of the lander, ft */
   constructor(shapes, materials, size) {
     this.materials = materials;
     this.size = size;
-    this.rods = new Rods(materials.copies, RODS * shapes.length);
-    this.legs = shapes.map((shape, index) => {
-      const { metal, sleeve, rod } = materials;
-      [metal.color, metal.color, sleeve, rod].forEach((is, number) => this.rods.setColorAt(RODS * index + number, is));
+    let count = 0;
+    this.legs = shapes.map((shape) => {
+      const hasLink = shape.link_length !== null;
+      const fork = count;
+      const first = count + (hasLink ? FORK : 0);
+      count = first + STRUT * shape.struts.length;
       const [x, y] = shape.outboard;
+      const sleeveOf = (/** @type {StrutShape} */ { length }, /** @type {number} */ index) =>
+        // The collar is on the sleeve of the first strut.
+        Math.max(SLEEVE * length, ...shape.struts.map(({ collar }) => (index === 0 ? collar ?? 0 : 0)));
       return {
-        strut: shape.strut,
+        fork,
+        first,
+        struts: shape.struts.map((strut, index) => ({ ...strut, from: new Vector3(...strut.from), sleeve: sleeveOf(strut, index) })),
         pad: new Footpad(shape.footpad, materials),
         outboard: new Vector3(x, y, 0),
         sideways: new Vector3(y, -x, 0).multiplyScalar(0.06 * size),
-        upper: new Vector3(...shape.upper_hardpoint),
-        lower: new Vector3(...shape.lower_hardpoint),
+        linkFrom: hasLink ? new Vector3(...shape.lower_hardpoint) : null,
       };
     });
+    this.rods = new Rods(materials.copies, count);
+    for (const { fork, first, struts } of this.legs) {
+      for (let side = fork; side < first; side += 1) this.rods.setColorAt(side, materials.metal.color);
+      for (const index of struts.keys()) this.rods.setColorAt(first + STRUT * index + 1, materials.rod);
+    }
     this.group = new Group();
     this.group.add(this.rods, ...this.legs.map(({ pad }) => pad.group));
   }
@@ -41,21 +54,30 @@ export class Legs {
     const toGround = (/** @type {Vector3} */ into, /** @type {Vector3} */ point) =>
       into.copy(point).applyQuaternion(pose.rotation).add(pose.center);
     for (const [index, leg] of this.legs.entries()) {
-      const { pivot, padAxis, padCrush, stroke } = pose.legs[index];
-      const first = RODS * index;
-      toGround(upper, leg.upper);
+      const { pivot, padAxis, padCrush, strokes } = pose.legs[index];
       foot.copy(pivot);
-      for (const side of [0, 1]) {
-        hinge.copy(leg.lower).addScaledVector(leg.sideways, side === 0 ? 1 : -1);
-        this.rods.lay(first + side, 0.0085 * this.size, toGround(hinge, hinge), foot);
+      for (let side = 0; leg.linkFrom && side < FORK; side += 1) {
+        hinge.copy(leg.linkFrom).addScaledVector(leg.sideways, side === 0 ? 1 : -1);
+        this.rods.lay(leg.fork + side, 0.0085 * this.size, toGround(hinge, hinge), foot);
       }
-      const { extended_length, minimum_length } = leg.strut;
-      joint.copy(upper).lerp(foot, Math.min((SLEEVE * extended_length) / upper.distanceTo(foot), 0.97));
-      this.rods.lay(first + 2, 0.017 * this.size, upper, joint);
-      this.rods.lay(first + 3, 0.01 * this.size, joint, foot);
-      const share = Math.min(Math.max(stroke / Math.max(extended_length - minimum_length, 1e-9), 0), 1);
-      this.rods.setColorAt(first + 2, colour.copy(this.materials.sleeve).lerp(this.materials.stroked, share));
+      toGround(primary, leg.struts[0].from);
+      for (const [number, strut] of leg.struts.entries()) {
+        const rod = leg.first + STRUT * number;
+        toGround(start, strut.from);
+        end.copy(foot);
+        if (strut.collar !== null) end.sub(primary).setLength(strut.collar).add(primary);
+        joint.copy(start).lerp(end, Math.min(strut.sleeve / start.distanceTo(end), 0.97));
+        this.rods.lay(rod, 0.017 * this.size, start, joint);
+        this.rods.lay(rod + 1, 0.01 * this.size, joint, end);
+        this.rods.setColorAt(rod, colour.copy(this.materials.sleeve).lerp(this.materials.stroked, shareOf(strokes[number], strut)));
+      }
       leg.pad.place(foot, padAxis, outboard.copy(leg.outboard).applyQuaternion(pose.rotation), padCrush);
     }
   }
+}
+
+/** Part that a stroke takes of the greatest one its way. @param {number} stroke @param {{ length: number, minimum_length: number, maximum_length: number }} strut */
+function shareOf(stroke, strut) {
+  const greatest = stroke > 0 ? strut.length - strut.minimum_length : strut.maximum_length - strut.length;
+  return greatest > 0 ? Math.min(Math.abs(stroke) / greatest, 1) : 0;
 }

@@ -6,8 +6,8 @@ import { Matrix4, Quaternion, Vector3 } from "../vendor/three.js";
  * Where everything is at an instant, in ground axes, in ft and lb.
  * @typedef {{ center: Vector3, rotation: Quaternion, legs: LegPose[], criticalEdge: [number, number] | null,
  *   stabilityAngle: number }} Pose
- * @typedef {{ pivot: Vector3, padAxis: Vector3, padCrush: [number, number], blockCrush: number, stroke: number,
- *   strutForce: number, padForce: Vector3, blockForce: Vector3 }} LegPose
+ * @typedef {{ pivot: Vector3, padAxis: Vector3, padCrush: [number, number], blockCrush: number, strokes: number[],
+ *   padForce: Vector3, blockForce: Vector3 }} LegPose
  */
 
 /** A landing between its instants. */
@@ -32,8 +32,7 @@ export class Motion {
         padAxis: new Vector3(),
         padCrush: [0, 0],
         blockCrush: 0,
-        stroke: 0,
-        strutForce: 0,
+        strokes: [],
         padForce: new Vector3(),
         blockForce: new Vector3(),
       })),
@@ -86,8 +85,7 @@ export class Motion {
         into.padCrush[half] = Math.max(mix(leg.pad_crush, half), mix(leg.pad_interference, half));
       }
       into.blockCrush = Math.max(mix(leg.block_crush), mix(leg.block_interference));
-      into.stroke = mix(leg.stroke);
-      into.strutForce = mix(leg.strut_force);
+      into.strokes = leg.strokes[i].map((_, strut) => mix(leg.strokes, strut));
     }
     const near = part < 0.5 ? i : j;
     pose.criticalEdge = instants.critical_edge[near];

@@ -9,12 +9,7 @@ use touchdown_explorer::interface::answer;
 use touchdown_explorer::named::Named;
 use touchdown_sweep::library::{Library, Source};
 
-use crate::common::{NAMED, ask, named};
-
-fn numbers(value: &Value) -> Vec<f64> {
-    let items = value.as_array().unwrap().iter();
-    items.map(|item| item.as_f64().unwrap()).collect()
-}
+use crate::common::{NAMED, ask, distance, in_ground, named, numbers};
 
 fn landing(values: Value) -> Value {
     ask("landing", &json!({"touchdown": {"values": values}})).unwrap()
@@ -138,40 +133,20 @@ fn the_drawing_is_of_one_piece() {
     let drawing = &told["drawing"];
     let vehicle = &drawing["vehicle"];
     let instants = &drawing["instants"];
-    let add = |a: &[f64], b: &[f64]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| a + b).collect() };
-    let distance = |a: &[f64], b: &[f64]| {
-        a.iter()
-            .zip(b)
-            .map(|(a, b)| (a - b) * (a - b))
-            .sum::<f64>()
-            .sqrt()
-    };
     assert_eq!(vehicle["ring"], json!([1, 2, 3]));
     let count = instants["time_s"].as_array().unwrap().len();
     for index in (0..count).step_by(7) {
-        let rotation = numbers(&instants["rotation"][index]);
-        let center = numbers(&instants["center_of_gravity"][index]);
-        let in_ground = |point: &Value| {
-            let point = numbers(point);
-            let turned: Vec<f64> = (0..3)
-                .map(|row| {
-                    (0..3)
-                        .map(|column| rotation[3 * row + column] * point[column])
-                        .sum()
-                })
-                .collect();
-            add(&center, &turned)
-        };
         for leg in 0..3 {
             let (shape, moves) = (&vehicle["legs"][leg], &instants["legs"][leg]);
             let pivot = numbers(&moves["pivot"][index]);
-            let link = distance(&in_ground(&shape["lower_hardpoint"]), &pivot);
+            let hinge = in_ground(instants, index, &shape["lower_hardpoint"]);
+            let link = distance(&hinge, &pivot);
             assert!((link - shape["link_length"].as_f64().unwrap()).abs() < 1e-4);
-            let strut = distance(&in_ground(&shape["upper_hardpoint"]), &pivot);
-            let stroke = moves["stroke"][index].as_f64().unwrap();
-            assert!(
-                (strut + stroke - shape["strut"]["extended_length"].as_f64().unwrap()).abs() < 1e-4
-            );
+            assert_eq!(shape["struts"].as_array().unwrap().len(), 1);
+            let strut = &shape["struts"][0];
+            let length = distance(&in_ground(instants, index, &strut["from"]), &pivot);
+            let stroke = moves["strokes"][index][0].as_f64().unwrap();
+            assert!((length + stroke - strut["length"].as_f64().unwrap()).abs() < 1e-4);
         }
     }
 }

@@ -47,6 +47,35 @@ pub fn ask(name: &str, request: &Value) -> Result<Value, Complaint> {
     answered.map(|text| serde_json::from_str(&text).unwrap())
 }
 
+/// The numbers of a list.
+pub fn numbers(value: &Value) -> Vec<f64> {
+    let items = value.as_array().unwrap().iter();
+    items.map(|item| item.as_f64().unwrap()).collect()
+}
+
+/// The distance of two points.
+pub fn distance(a: &[f64], b: &[f64]) -> f64 {
+    let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
+    squares.sum::<f64>().sqrt()
+}
+
+/// A point of the vehicle in ground axes, at an instant of a drawing.
+pub fn in_ground(instants: &Value, index: usize, point: &Value) -> Vec<f64> {
+    let rotation = numbers(&instants["rotation"][index]);
+    let (center, point) = (
+        numbers(&instants["center_of_gravity"][index]),
+        numbers(point),
+    );
+    (0..3)
+        .map(|row| {
+            center[row]
+                + (0..3)
+                    .map(|k| rotation[3 * row + k] * point[k])
+                    .sum::<f64>()
+        })
+        .collect()
+}
+
 /// A server of its own, which ends with the tests.
 pub struct Client {
     pub address: SocketAddr,

@@ -7,4 +7,5 @@ mod computed_maps;
 mod maps;
 mod samples;
 mod strips;
+mod three_struts;
 mod wild_clients;

@@ -2,11 +2,7 @@
 
 use nalgebra::Vector3;
 use serde::Serialize;
-use touchdown_dynamics::kinematics::SeenGround;
-use touchdown_dynamics::motion::Motion;
 use touchdown_dynamics::scene::Scene;
-use touchdown_dynamics::touchdown::touchdown;
-use touchdown_dynamics::vehicle::Vehicle;
 
 use super::{Triple, rounded, triple};
 
@@ -27,7 +23,7 @@ pub struct Ground {
 
 /// The plane of the ground under a footpad or a block.
 #[derive(Debug, Serialize)]
-struct Patch {
+pub struct Patch {
     leg: usize,
     of: &'static str,
     point: Triple,
@@ -35,43 +31,34 @@ struct Patch {
     is_even: bool,
 }
 
+impl Patch {
+    /// The ground that a `place` over leg `leg` (ground axes) is this deep below, with its inward normal.
+    pub fn new(
+        leg: usize,
+        of: &'static str,
+        is_even: bool,
+        mut place: Vector3<f64>,
+        inward: &Vector3<f64>,
+        depth: f64,
+    ) -> Self {
+        // Patches are placed along the vertical.
+        place.z -= depth / inward.z;
+        Self {
+            leg: leg + 1,
+            of,
+            point: triple(&place),
+            normal: triple(&-inward),
+            is_even,
+        }
+    }
+}
+
 impl Ground {
-    /// The ground under a vehicle at touchdown.
-    pub fn of(vehicle: &Vehicle, scene: &Scene, motion: &Motion<f64>) -> Self {
+    /// The ground of a scene with these patches.
+    pub fn of(scene: &Scene, patches: Vec<Patch>) -> Self {
         let conditions = scene.conditions();
         let (sine, cosine) = conditions.slope.sin_cos();
         let (sin_cross, cos_cross) = conditions.cross_slope.sin_cos();
-        let body = touchdown(vehicle, scene, motion).body();
-        let frame = motion.frame(&body);
-        let mut patches = Vec::new();
-        for (index, leg) in vehicle.hinged_legs().iter().enumerate() {
-            let geometry = motion.geometry(index);
-            let [pad, block] = motion.ground(index, &frame);
-            let footing = conditions.ground.leg(index);
-            let mut add = |of, is_even, seen: &SeenGround<f64>, place: Vector3<f64>| {
-                let inward = frame.rotation * seen.normal;
-                let mut point = body.position + frame.seen_from_center_of_gravity(&place);
-                // Patches are placed along the vertical.
-                point.z -= seen.depth_of(&place) / inward.z;
-                patches.push(Patch {
-                    leg: index + 1,
-                    of,
-                    point: triple(&point),
-                    normal: triple(&-inward),
-                    is_even,
-                });
-            };
-            let foot = geometry.pivot(leg.extended_angle());
-            add("pad", footing.pad.is_even(), &pad, foot);
-            if leg.design().block.is_some() {
-                add(
-                    "block",
-                    footing.block.is_even(),
-                    &block,
-                    geometry.block_face(),
-                );
-            }
-        }
         Self {
             slope_deg: conditions.slope.to_degrees(),
             normal: [0.0, rounded(-sine), rounded(-cosine)],

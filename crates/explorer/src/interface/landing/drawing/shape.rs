@@ -2,10 +2,9 @@
 
 use nalgebra::Vector3;
 use serde::Serialize;
-use touchdown_dynamics::motion::Motion;
-use touchdown_dynamics::vehicle::{Leg, StrutElement, Vehicle};
+use touchdown_dynamics::vehicle::Vehicle;
 
-use super::{Triple, rounded, triple};
+use super::{LegKind, Triple, rounded, triple};
 
 /// A vehicle.
 #[derive(Debug, Serialize)]
@@ -27,52 +26,60 @@ struct Drum {
 }
 
 #[derive(Debug, Serialize)]
-struct LegShape {
-    azimuth_deg: f64,
+pub struct LegShape {
+    pub azimuth_deg: f64,
     /// Direction from the centreline to the leg.
-    outboard: Triple,
-    lower_hardpoint: Triple,
-    upper_hardpoint: Triple,
-    link_length: f64,
-    strut: StrutShape,
-    footpad: PadShape,
-    block: Option<BlockShape>,
+    pub outboard: Triple,
+    pub lower_hardpoint: Triple,
+    pub upper_hardpoint: Triple,
+    /// Length of the link from the lower hardpoint to the footpad.
+    pub link_length: Option<f64>,
+    pub struts: Vec<StrutShape>,
+    pub footpad: PadShape,
+    pub block: Option<BlockShape>,
 }
 
 #[derive(Debug, Serialize)]
-struct StrutShape {
-    extended_length: f64,
-    minimum_length: f64,
-    kind: &'static str,
+pub struct StrutShape {
+    /// Its hardpoint.
+    pub from: Triple,
+    /// Length without stroke.
+    pub length: f64,
+    pub minimum_length: f64,
+    pub maximum_length: f64,
+    /// Distance from the hardpoint of the first strut to the place on that strut where this one ends; at the footpad
+    /// without it.
+    pub collar: Option<f64>,
 }
 
 #[derive(Debug, Serialize)]
-struct PadShape {
-    diameter: f64,
-    height: f64,
+pub struct PadShape {
+    pub diameter: f64,
+    pub height: f64,
 }
 
 #[derive(Debug, Serialize)]
-struct BlockShape {
+pub struct BlockShape {
     /// Centre of its uncrushed face.
-    face: Triple,
-    diameter: f64,
+    pub face: Triple,
+    pub diameter: f64,
     /// Height of the face below the plane of the lower hardpoints.
-    height: f64,
+    pub height: f64,
 }
 
 impl Shape {
     /// Shape of a vehicle.
-    pub fn of(vehicle: &Vehicle, motion: &Motion<f64>) -> Self {
+    pub fn of(vehicle: &Vehicle, legs: &impl LegKind) -> Self {
         let [x, y] = vehicle.center_of_gravity_offset();
         let center = Vector3::new(-x, -y, 0.0);
-        let legs = vehicle.hinged_legs().iter().enumerate();
-        let legs: Vec<LegShape> = legs
-            .map(|(index, leg)| leg_shape(motion, index, leg, &center))
-            .collect();
+        let legs = legs.shapes(&center);
         let heights = |of: fn(&LegShape) -> &Triple| legs.iter().map(move |leg| of(leg)[2]);
-        let radii =
-            (vehicle.hinged_legs().iter()).map(|leg| leg.design().linkage.lower_hardpoint_radius);
+        let radii = legs.iter().map(
+            |LegShape {
+                 lower_hardpoint: [to_x, to_y, _],
+                 ..
+             }| { (to_x - center.x).hypot(to_y - center.y) },
+        );
         Self {
             center: triple(&center),
             body: Drum {
@@ -83,40 +90,5 @@ impl Shape {
             ring: vehicle.ring().iter().map(|leg| leg + 1).collect(),
             legs,
         }
-    }
-}
-
-fn leg_shape(motion: &Motion<f64>, index: usize, leg: &Leg, center: &Vector3<f64>) -> LegShape {
-    let (design, geometry) = (leg.design(), motion.geometry(index));
-    let (sine, cosine) = design.azimuth.sin_cos();
-    let outboard = Vector3::new(sine, cosine, 0.0);
-    let lower = center + geometry.lower_hardpoint();
-    // Chosen to satisfy (11): outboard by l_A sin β, up by l_A cos β.
-    let linkage = &design.linkage;
-    let (sin_beta, cos_beta) = linkage.hardpoint_angle.sin_cos();
-    let between = outboard * sin_beta - Vector3::z() * cos_beta;
-    LegShape {
-        azimuth_deg: design.azimuth.to_degrees(),
-        outboard: triple(&outboard),
-        upper_hardpoint: triple(&(lower + between * linkage.hardpoint_distance)),
-        lower_hardpoint: triple(&lower),
-        link_length: linkage.lower_link_length,
-        strut: StrutShape {
-            extended_length: design.strut.extended_length,
-            minimum_length: design.strut.minimum_length,
-            kind: match design.strut.element {
-                StrutElement::Damper(_) => "damper",
-                StrutElement::Honeycomb(_) => "honeycomb",
-            },
-        },
-        footpad: PadShape {
-            diameter: design.footpad.diameter,
-            height: design.footpad.height,
-        },
-        block: design.block.as_ref().map(|block| BlockShape {
-            face: triple(&(center + geometry.block_face())),
-            diameter: block.diameter,
-            height: block.height,
-        }),
     }
 }
