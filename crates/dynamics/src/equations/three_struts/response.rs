@@ -434,11 +434,11 @@ mod tests {
                 let mut off = State::zero(3);
                 State::zero(3).advance_motion([1.0, -1.0], [&found, &u], &mut off);
                 let off = off.greatest();
-                // The rotation of the body turns with it, which the equations leave out.
+                // The rotation of the body turns with it, which the equations leave out; differences are one-sided.
                 let allowed = if (6..10).contains(&number) {
                     0.03
                 } else {
-                    1e-6
+                    1e-4
                 };
                 assert!(off < allowed, "{arrangement:?}, number {number}: {off}");
             }
