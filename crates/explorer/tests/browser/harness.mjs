@@ -40,12 +40,12 @@ export function gather(page, complaints) {
   page.on("pageerror", (error) => complaints.push(String(error.stack)));
 }
 
-/** Starts the program on the Surveyor, a map, a profile and a sample, and a browser. */
-export async function start() {
+/** Starts the program on the Surveyor, a map, a profile and a sample, and a browser. @param {...string} more files */
+export async function start(...more) {
   const folder = mkdtempSync(join(tmpdir(), "explorer-"));
   writeFileSync(join(folder, "sample.toml"), sample);
   execFileSync(program, ["sweep", join(folder, "sample.toml"), "--out", folder, "--quiet"], { cwd: root });
-  const files = [vehicle, "sweeps/vehicles/four-legs.toml", "results/surface-4-20.csv", "results/figure-4-09.csv", "results/landers/six-legs-map.csv", join(folder, "sample.csv")];
+  const files = [vehicle, "sweeps/vehicles/four-legs.toml", "results/surface-4-20.csv", "results/figure-4-09.csv", "results/landers/six-legs-map.csv", join(folder, "sample.csv"), ...more];
   const server = spawn(program, ["explore", ...files], { cwd: root });
   const address = await new Promise((resolve, reject) => {
     let text = "";

@@ -5,7 +5,7 @@ import { brush, calm, root, start } from "./harness.mjs";
 
 const folder = join(root, "docs/pictures");
 mkdirSync(folder, { recursive: true });
-const explorer = await start();
+const explorer = await start("sweeps/vehicles/apollo-like.toml");
 const viewport = { width: 1240, height: 860 };
 
 /**
@@ -31,6 +31,9 @@ await shoot("explorer-landing", "#v.horizontal_velocity_fps=11.25&t=0.28", "ligh
 });
 await shoot("explorer-landing-dark", "#v.horizontal_velocity_fps=12&v.roll_deg=10", "dark", async (page) => {
   await strip(page);
+});
+await shoot("explorer-cantilever", "#source=apollo-like&units=SI&v.slope_deg=12&v.horizontal_velocity_mps=1.2&t=0.5", "light", async (page) => {
+  await page.waitForFunction(() => document.querySelector(".strip-words")?.textContent?.includes("bottoms"));
 });
 await shoot("explorer-map", "#tab=map&at=152.5,-10", "light", async (page) => {
   await page.waitForFunction(() => document.querySelectorAll(".pair .outcome[data-class]").length === 2);
