@@ -22,7 +22,7 @@ use touchdown_sweep::vehicle_file::VehicleFile;
 use crate::errors::{Failure, guarded};
 
 /// Vehicles shipped with the package.
-const OWN_VEHICLES: [(&str, &str); 4] = [
+const OWN_VEHICLES: [(&str, &str); 5] = [
     (
         "surveyor-table-4-1",
         include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml"),
@@ -38,6 +38,10 @@ const OWN_VEHICLES: [(&str, &str); 4] = [
     (
         "six-legs",
         include_str!("../../../sweeps/vehicles/six-legs.toml"),
+    ),
+    (
+        "apollo-like",
+        include_str!("../../../sweeps/vehicles/apollo-like.toml"),
     ),
 ];
 /// Allowed values of a dictionary.

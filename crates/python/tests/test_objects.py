@@ -241,3 +241,17 @@ def test_the_package_shows_what_is_public():
     assert td.__version__ == version("touchdown")
     assert {"land", "plot", "vehicles", "__version__"} <= set(dir(td))
     assert not {"Any", "import_module", "errors", "landing"} & set(dir(td))
+
+
+def test_legs_of_three_struts_land_as_hinged_ones_do(scene):
+    lander = td.vehicles.apollo_like()
+    stiffer = lander.replace({"secondary.stiffness_n_per_m": 2e7, "legs[2].primary.damping_n_s_per_m": 900})
+    assert stiffer.legs == 4 and stiffer != lander
+    for vehicle in (lander, stiffer):
+        landing = td.land(vehicle, scene.replace(vertical_velocity_fps=8, horizontal_velocity_fps=2, slope_deg=5))
+        assert landing.outcome == "stable-subsided" and max(landing.max_stroke_share) < 1
+        table = landing.history(0.1)
+        assert {"foot_x_1_ft", "stroke_a_4_ft", "strut_force_b_2_lb"} <= set(table.columns)
+        assert "gamma_1_deg" not in table.columns
+    with pytest.raises(td.InputError, match="only legs of kind"):
+        td.vehicles.four_legs().replace({"secondary.stiffness_n_per_m": 2e7})

@@ -7,7 +7,7 @@ from functools import cache
 from touchdown import _engine
 from touchdown.vehicle import Vehicle
 
-__all__ = ["four_legs", "six_legs", "surveyor", "surveyor_si"]
+__all__ = ["apollo_like", "four_legs", "six_legs", "surveyor", "surveyor_si"]
 
 
 @cache
@@ -33,3 +33,8 @@ def four_legs() -> Vehicle:
 def six_legs() -> Vehicle:
     """A lander with six legs on honeycomb struts, in SI units."""
     return _own("six-legs")
+
+
+def apollo_like() -> Vehicle:
+    """A lander of the size of the Apollo lunar module, on four cantilever legs of three struts. Many of its numbers are assumed."""
+    return _own("apollo-like")
