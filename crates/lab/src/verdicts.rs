@@ -21,7 +21,7 @@ use touchdown_dynamics::scene::Settings;
 use touchdown_sweep::file_writer::{Folder, WriteError};
 use touchdown_sweep::run::Observer;
 
-use draw::{Draw, Stock};
+use draw::{Choice, Draw, Stock};
 
 use touchdown::terminal::failure::Failure;
 use touchdown::terminal::interrupt;
@@ -34,6 +34,7 @@ Examples:
   touchdown-lab verdicts --landings 500          # a short run
   touchdown-lab verdicts --landing 1234          # one of them, in full
   touchdown-lab verdicts --soil --out soil       # the same landings on soil
+  touchdown-lab verdicts --three-struts --landings 1000 --out three-struts   # tripods and cantilevers
   touchdown-lab verdicts --small-changes 10000   # whether a millimetre or a gram changes an outcome
 
 Landers with three to eight legs, with equal and with unequal legs, touch down on even and on rough ground, on the Moon, on Mars,
@@ -92,6 +93,9 @@ pub struct Options {
     /// Land on soil of 5 to 200 kPa at 5 cm in place of rock
     #[arg(long)]
     soil: bool,
+    /// Land on tripods and cantilevers in place of hinged legs
+    #[arg(long, conflicts_with = "small_changes")]
+    three_struts: bool,
     /// Seed of the random numbers; the same seed gives the same landings
     #[arg(long, value_name = "N", default_value_t = 1966)]
     seed: u64,
@@ -242,7 +246,10 @@ fn contradiction(verdict: &Outcome, landing: &Landing, drift: f64) -> Option<&'s
 
 /// Runs `verdicts`.
 pub fn run(options: &Options) -> Result<(), Failure> {
-    let stock = Stock::read(options.soil)?;
+    let stock = Stock::read(Choice {
+        on_soil: options.soil,
+        on_three_struts: options.three_struts,
+    })?;
     if let Some(number) = options.landing {
         let draw = stock.draw(options.seed, number);
         let draw = [draw];

@@ -65,6 +65,11 @@ impl ThreeStrutLeg {
     pub fn design(&self) -> &ThreeStrutDesign {
         &self.0
     }
+
+    /// Height of the plane of the lower hardpoints over level ground at rest, ft.
+    pub fn stance(&self) -> f64 {
+        self.0.foot.depth + self.0.footpad.height
+    }
 }
 
 impl ThreeStrutDesign {

@@ -101,14 +101,8 @@ impl Legs {
             Self::Hinged(legs) => (legs.iter())
                 .map(|leg| stand(leg.design.azimuth, leg.reach(), leg.stance()))
                 .collect(),
-            Self::ThreeStrut(legs) => (legs.iter().map(ThreeStrutLeg::design))
-                .map(|leg| {
-                    stand(
-                        leg.azimuth,
-                        leg.foot.radius,
-                        leg.foot.depth + leg.footpad.height,
-                    )
-                })
+            Self::ThreeStrut(legs) => (legs.iter())
+                .map(|leg| stand(leg.design().azimuth, leg.design().foot.radius, leg.stance()))
                 .collect(),
         }
     }

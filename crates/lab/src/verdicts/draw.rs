@@ -14,8 +14,10 @@ use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::parts::{Inertia, LegDesign, StrutElement};
 use touchdown_dynamics::scene::{Conditions, Scene};
 use touchdown_dynamics::soil::{Bearing, Soil};
+use touchdown_dynamics::three_strut_leg::ThreeStrutLeg;
+use touchdown_dynamics::three_struts::Arrangement;
 use touchdown_dynamics::thrust::Thrust;
-use touchdown_dynamics::vehicle::{Leg, Vehicle};
+use touchdown_dynamics::vehicle::{Leg, Legs, Vehicle};
 use touchdown_sweep::document::Document;
 use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::vehicle_file::VehicleFile;
@@ -32,7 +34,14 @@ const PLACES: [(&str, f64); 4] = [
     ("Ceres", 0.28 * MPS),
 ];
 /// Kinds of landers.
-const LANDERS: [&str; 3] = ["shipped", "Surveyor with 3 to 8 legs", "wild"];
+const LANDERS: [&str; 4] = [
+    "shipped",
+    "Surveyor with 3 to 8 legs",
+    "wild",
+    "tripods and cantilevers",
+];
+/// Index of legs of three struts among them.
+const THREE_STRUTS: usize = 3;
 /// Kinds of ground.
 const GROUNDS: [&str; 3] = ["even", "rough", "pits and rocks"];
 /// Kinds of engines.
@@ -46,7 +55,18 @@ const DEPTH: f64 = 0.05 / 0.3048;
 pub struct Stock {
     shipped: [Vehicle; 2],
     surveyor: Vehicle,
-    is_on_soil: bool,
+    /// On legs of three struts.
+    apollo_like: Vehicle,
+    choice: Choice,
+}
+
+/// What landings are drawn.
+#[derive(Debug, Clone, Copy)]
+pub struct Choice {
+    /// On soil in place of rock, all else the same.
+    pub on_soil: bool,
+    /// On legs of three struts in place of hinged ones.
+    pub on_three_struts: bool,
 }
 
 /// A lander and its touchdown.
@@ -83,8 +103,8 @@ impl Draw {
 }
 
 impl Stock {
-    /// Reads the vehicles that come with the program. They land on rock or, all else the same, on soil.
-    pub fn read(is_on_soil: bool) -> Result<Self, InputError> {
+    /// Reads the vehicles that come with the program.
+    pub fn read(choice: Choice) -> Result<Self, InputError> {
         let read = |name: &str, text: &str| {
             let document = Document::parse(Path::new(name), text)?;
             Ok::<_, InputError>(VehicleFile::from_document(document)?.vehicle)
@@ -92,10 +112,12 @@ impl Stock {
         let four = include_str!("../../../../sweeps/vehicles/four-legs.toml");
         let six = include_str!("../../../../sweeps/vehicles/six-legs.toml");
         let surveyor = include_str!("../../../../sweeps/vehicles/surveyor-table-4-1.toml");
+        let apollo_like = include_str!("../../../../sweeps/vehicles/apollo-like.toml");
         Ok(Self {
             shipped: [read("four-legs.toml", four)?, read("six-legs.toml", six)?],
             surveyor: read("surveyor-table-4-1.toml", surveyor)?,
-            is_on_soil,
+            apollo_like: read("apollo-like.toml", apollo_like)?,
+            choice,
         })
     }
 
@@ -112,12 +134,17 @@ impl Stock {
     fn attempt(&self, number: u64, random: &mut Random) -> Result<Draw, Invalid> {
         let [place, lander, ground, engine] = [
             random.below(PLACES.len()),
-            random.below(LANDERS.len()),
+            random.below(THREE_STRUTS),
             random.below(GROUNDS.len()),
             // Half of the engines are off, and few stay on.
             [0, 0, 0, 0, 1, 1, 1, 2][random.below(8)],
         ];
+        let lander = match self.choice.on_three_struts {
+            true => THREE_STRUTS,
+            false => lander,
+        };
         let vehicle = match lander {
+            THREE_STRUTS => self.on_three_struts(random)?,
             0 => self.shipped[random.below(2)].clone(),
             1 => self.surveyor_with(3 + random.below(6), random)?,
             _ => self.wild(random)?,
@@ -139,7 +166,7 @@ impl Stock {
             ground: uneven(&vehicle, ground, random)?,
             gravity: Some(gravity),
             thrust: thrust(vehicle.mass() * gravity, engine, random)?,
-            soil: match self.is_on_soil {
+            soil: match self.choice.on_soil {
                 true => soil(random)?,
                 false => Soil::Rock,
             },
@@ -204,10 +231,61 @@ impl Stock {
         let offset = [0.0; 2].map(|_: f64| random.between(-reach, reach));
         vehicle.with_center_of_gravity_offset(offset)
     }
+
+    /// A lander on three to six tripods or cantilevers of any strength, which differ in length and spread.
+    fn on_three_struts(&self, random: &mut Random) -> Result<Vehicle, Invalid> {
+        let model = &self.apollo_like;
+        let Legs::ThreeStrut(legs) = model.legs() else {
+            return Err(Invalid::new("legs", 0.0, "legs of three struts"));
+        };
+        let count = 3 + random.below(4);
+        let apart = TAU / count as f64;
+        let arrangement = match random.below(2) {
+            0 => Arrangement::Tripod,
+            _ => Arrangement::Cantilever {
+                collar: random.between(1.2, 2.2) * MPS,
+            },
+        };
+        let strength = random.log_between(0.4, 4.0);
+        let stiffness = random.log_between(0.3, 3.0);
+        let depth = random.between(0.8, 1.3);
+        let legs: Result<Vec<ThreeStrutLeg>, Invalid> = (0..count)
+            .map(|leg| {
+                let mut design = legs[0].design().clone();
+                design.azimuth = apart * (leg as f64 + random.between(-0.2, 0.2));
+                design.arrangement = arrangement;
+                design.foot.depth *= depth * random.between(0.97, 1.03);
+                design.foot.mass *= random.log_between(0.5, 2.0);
+                design.spread *= random.between(0.6, 1.5);
+                design.footpad.crush_pressure *= stiffness * random.log_between(0.9, 1.1);
+                for strut in [&mut design.primary, &mut design.secondary] {
+                    for load in [&mut strut.compression_load, &mut strut.tension_load] {
+                        if let Some(load) = load {
+                            let knots = load.knots().iter();
+                            let stronger = knots.map(|[stroke, load]| [*stroke, load * strength]);
+                            *load = CrushLoad::new(stronger.collect())?;
+                        }
+                    }
+                }
+                ThreeStrutLeg::new(design)
+            })
+            .collect();
+        let standing = model.standing_height();
+        let height = model.center_of_gravity_height() + standing * random.between(-0.15, 0.5);
+        let vehicle = like(model, model.mass(), height, legs?)?;
+        let reach = 0.2 * standing;
+        let offset = [0.0; 2].map(|_: f64| random.between(-reach, reach));
+        vehicle.with_center_of_gravity_offset(offset)
+    }
 }
 
 /// A vehicle of the inertia of another, with this mass (slug), height of the CG (ft) and legs, under physical rules.
-pub fn like(model: &Vehicle, mass: f64, height: f64, legs: Vec<Leg>) -> Result<Vehicle, Invalid> {
+pub fn like(
+    model: &Vehicle,
+    mass: f64,
+    height: f64,
+    legs: impl Into<Legs>,
+) -> Result<Vehicle, Invalid> {
     let j = model.inertia();
     let inertia = Inertia {
         xx: j[(0, 0)],
@@ -234,9 +312,12 @@ fn soil(random: &mut Random) -> Result<Soil, Invalid> {
 
 /// Ground of its own under each leg, but where it is even.
 fn uneven(vehicle: &Vehicle, kind: usize, random: &mut Random) -> Result<Ground, Invalid> {
-    let legs: Vec<LegFooting> = (vehicle.hinged_legs().iter())
-        .map(|leg| {
-            let stance = leg.stance();
+    let stances: Vec<f64> = match vehicle.legs() {
+        Legs::Hinged(legs) => legs.iter().map(Leg::stance).collect(),
+        Legs::ThreeStrut(legs) => legs.iter().map(ThreeStrutLeg::stance).collect(),
+    };
+    let legs: Vec<LegFooting> = (stances.into_iter())
+        .map(|stance| {
             let (height, tilt) = match kind {
                 0 => (0.0, 0.0),
                 1 => (random.normal(0.1 * stance), random.normal(0.05)),
