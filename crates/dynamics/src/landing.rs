@@ -22,6 +22,7 @@ mod stiffness;
 mod strut_peaks;
 mod three_struts;
 mod thrust;
+mod toppling;
 pub mod touchdown;
 mod trajectory;
 mod verdict;

@@ -2,9 +2,10 @@
 
 use pulp::NullaryFnOnce;
 
-use super::rest::{WHILE, free_fall};
+use super::toppling::Toppling;
 use super::trajectory::Trajectory;
 use super::within::Between;
+use crate::contact::LegMode;
 use crate::integrator::event::{Node, first_exit, is_plain};
 use crate::integrator::parabola::Parabola;
 use crate::motion::Footing;
@@ -24,22 +25,17 @@ pub(super) struct StabilityTrack {
     /// Observation at the start of the previous step, and its age, s. It survives changes of laws, as feet and
     /// velocities do not jump.
     before: Option<(Observation, f64)>,
-    /// Time that the CG has to be beyond the hull of the feet until the vehicle has toppled, s.
-    while_beyond: f64,
-    /// Since when it has been, s. Feet that still move out, or a strut that pushes, may bring it back.
-    beyond_since: Option<f64>,
+    toppling: Toppling,
 }
 
 impl StabilityTrack {
     /// A track before the touchdown of a vehicle in a scene.
     pub(super) fn new(monitor: StabilityMonitor, vehicle: &Vehicle, scene: &Scene) -> Self {
-        let gravity = scene.gravity(vehicle);
         Self {
             monitor,
             seen: Observation::none(vehicle.leg_count()),
             before: None,
-            while_beyond: WHILE * free_fall(vehicle.standing_height(), gravity),
-            beyond_since: None,
+            toppling: Toppling::new(vehicle, scene),
         }
     }
 
@@ -60,25 +56,27 @@ impl StabilityTrack {
             trajectory.least_angle = (0.0, 0.0);
             return Err(verdict);
         }
-        self.note_beyond(trajectory.time);
+        self.note_beyond(trajectory, 0.0);
         match self.monitor.verdict(&self.seen, trajectory.least_angle.0) {
             Some(verdict) => Err(verdict),
             None => Ok(()),
         }
     }
 
-    /// Notes whether the CG is beyond the hull of the feet. Returns whether it has left it for good.
+    /// Notes whether the CG is beyond the hull of the feet, a time (s) after that was last noted. Returns whether the vehicle has
+    /// toppled.
     #[inline(always)]
-    fn note_beyond(&mut self, time: f64) -> bool {
+    fn note_beyond(&mut self, trajectory: &Trajectory<'_>, passed: f64) -> bool {
         let is_beyond = self.monitor.is_beyond_hull(&self.seen);
-        self.beyond_since = is_beyond.then(|| self.beyond_since.unwrap_or(time));
-        self.beyond_since
-            .is_some_and(|since| time - since >= self.while_beyond)
+        let reaches_into_ground = self.seen.clearance < 0.0;
+        self.toppling.note(is_beyond, passed, || {
+            reaches_into_ground || trajectory.modes.iter().any(LegMode::is_pressed)
+        })
     }
 
     /// Returns whether the CG is beyond the hull of the feet.
     pub(super) fn is_beyond(&self) -> bool {
-        self.beyond_since.is_some()
+        self.toppling.is_beyond()
     }
 
     /// Takes over a new line of the thrust. Returns the verdict that was waiting for it.
@@ -119,6 +117,7 @@ impl Trajectory<'_> {
     ) -> Option<(f64, Verdict)> {
         let mut theta = 0.0;
         while theta < reach {
+            let before = theta;
             (stability.monitor).guard(&stability.seen, self.least_angle.0);
             let mut end = self.observe(&stability.monitor, reach, event);
             let mut end_theta = reach;
@@ -144,7 +143,7 @@ impl Trajectory<'_> {
                     Err(found) => return Some(found),
                 }
             }
-            if stability.note_beyond(self.time_at(theta)) {
+            if stability.note_beyond(self, (theta - before) * self.step.length) {
                 return Some((theta, Verdict::Toppled));
             }
         }

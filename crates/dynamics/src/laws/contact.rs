@@ -164,12 +164,16 @@ impl LegMode {
         self.pad_in_contact() || self.block_in_contact()
     }
 
+    /// Returns whether the ground pushes on the pad or the block.
+    pub fn is_pressed(&self) -> bool {
+        self.pad_loaded() || self.block.is_loaded()
+    }
+
     /// Returns whether contact gained or lost by an element without pressure matters at once: the first contact of its
     /// pad or block is noted, and contact decides whether an extended leg hangs or rests on its stop, unless another
     /// element presses on the surface anyway.
     fn is_contact_watched(&self, has_touched: bool) -> bool {
-        let is_pressed = self.pad_loaded() || self.block.is_loaded();
-        !has_touched || self.stance.is_extended() && !is_pressed
+        !has_touched || self.stance.is_extended() && !self.is_pressed()
     }
 
     /// Updates contacts that were not watched.

@@ -235,6 +235,11 @@ impl LegMode {
         self.pad.in_contact()
     }
 
+    /// Returns whether the ground pushes on the footpad.
+    pub fn is_pressed(&self) -> bool {
+        self.pad.is_loaded()
+    }
+
     /// Coefficients of the active pieces.
     pub fn pieces(&self, laws: &LegLaws) -> LegPieces {
         LegPieces {

@@ -13,9 +13,10 @@ use crate::landing::UnderWay;
 use crate::landing::events::MOST_CHANGES;
 use crate::landing::history::History;
 use crate::landing::record::{Beyond, Landing};
-use crate::landing::rest::{Rest, WHILE, free_fall};
+use crate::landing::rest::Rest;
 use crate::landing::simulation::{FIRST_STEP, MOST_STEPS};
 use crate::landing::steadiness::Steadiness;
+use crate::landing::toppling::Toppling;
 use crate::landing::touchdown::body_at_touchdown;
 use crate::landing::trajectory::{event_resolution, work_error};
 use crate::laws::three_struts::{LegLaws, LegMode, LegPieces, SIGNALS};
@@ -64,9 +65,7 @@ pub(in crate::landing) struct Simulation<'o> {
     /// What is seen now.
     pub(super) seen: Seen,
     pub(super) extremes: Extremes,
-    /// Time that the CG has to be beyond the hull of the feet until the vehicle has toppled, s, and since when it has been.
-    while_beyond: f64,
-    beyond_since: Option<f64>,
+    toppling: Toppling,
     /// Verdict beyond which the landing goes on, and its time, s.
     noted: Option<(Outcome, f64)>,
     pub(super) pad_contact: PerLeg<Option<f64>>,
@@ -122,8 +121,7 @@ impl<'o> Simulation<'o> {
             rest: Rest::new(vehicle, scene),
             seen: Seen::NOTHING,
             extremes: Extremes::none(legs.len()),
-            while_beyond: WHILE * free_fall(height, gravity),
-            beyond_since: None,
+            toppling: Toppling::new(vehicle, scene),
             noted: None,
             pad_contact: PerLeg::same(legs.len(), None),
             steps: 0,
@@ -325,6 +323,7 @@ impl<'o> Simulation<'o> {
         self.report(reach);
         self.thrust_work = self.thrust_work_at(reach);
         let time = self.time_at(reach);
+        let has_toppled = self.note_beyond(time - self.time);
         self.signals[0] = at_end;
         if event.is_some() {
             let mut state = self.step.before;
@@ -338,20 +337,27 @@ impl<'o> Simulation<'o> {
             self.step.before = self.step.after;
             self.step.slopes[0] = self.step.slopes[5];
         }
-        self.judge()
+        self.judge(has_toppled)
+    }
+
+    /// Notes whether the CG is beyond the hull of the feet, a time (s) after that was last noted. Returns whether the vehicle has
+    /// toppled.
+    fn note_beyond(&mut self, passed: f64) -> bool {
+        let Seen { angle, clearance } = self.seen;
+        self.toppling.note(angle <= 0.0, passed, || {
+            clearance < 0.0 || self.modes.iter().any(LegMode::is_pressed)
+        })
     }
 
     /// Judges the present state.
-    fn judge(&mut self) -> Result<(), Outcome> {
-        let angle = self.seen.angle;
-        let since = self.beyond_since.unwrap_or(self.time);
-        self.beyond_since = (angle <= 0.0).then_some(since);
+    fn judge(&mut self, has_toppled: bool) -> Result<(), Outcome> {
         if self.noted.is_some() {
             return Ok(());
         }
-        if self.beyond_since.is_some() && self.time - since >= self.while_beyond {
+        if has_toppled {
             return self.conclude(Outcome::UnstableToppled);
         }
+        let angle = self.seen.angle;
         self.steadiness.note(self.time, angle);
         let mut rest = self.rest.clone();
         let at_rest = rest.note(self);
@@ -377,7 +383,8 @@ impl UnderWay for Simulation<'_> {
         self.settle()?;
         self.seen = self.look(&self.step.before);
         self.extremes.note_angle(self.seen, 0.0);
-        self.judge()
+        self.note_beyond(0.0);
+        self.judge(false)
     }
 
     fn step(&mut self) -> Result<(), Outcome> {
@@ -419,7 +426,7 @@ impl UnderWay for Simulation<'_> {
     /// The outcome of a landing that went on beyond its verdict is the verdict. One that ends otherwise than stable while
     /// its CG is beyond the feet has toppled.
     fn result(&self, outcome: Outcome) -> Landing {
-        let topples = self.beyond_since.is_some() && outcome.class() != Class::Stable;
+        let topples = self.toppling.is_beyond() && outcome.class() != Class::Stable;
         let toppled = topples.then_some((Outcome::UnstableToppled, self.time));
         let Some((verdict, time)) = self.noted.clone().or(toppled) else {
             return self.account(outcome);
