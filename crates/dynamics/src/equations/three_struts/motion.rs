@@ -230,6 +230,27 @@ impl Motion {
         }
     }
 
+    /// Rate at which the fastest motion of a foot decays, 1/s, and the angular frequency of the fastest oscillation, rad/s, where
+    /// the signals are these: upper limits of both.
+    #[inline(always)]
+    pub fn fastest(&self, signals: &Signals, pieces: &PerLeg<LegPieces>) -> [f64; 2] {
+        let (mut decay, mut stiffness): (f64, f64) = (0.0, 0.0);
+        for (j, leg) in self.legs.iter().enumerate() {
+            let (signals, pieces) = (&signals[j], &pieces[j]);
+            let normal = leg.pad_strength * pieces.pad.at(signals[INTERFERENCE]);
+            let friction = normal * leg.friction * pieces.friction.per_speed(signals[SLIDING]);
+            let pad = leg.pad_strength * pieces.pad.slope();
+            let (mut damping, mut springs) = (friction, pad);
+            for k in 0..STRUTS {
+                damping += leg.damping(k, signals[STROKE_RATES.start + k])[1];
+                springs += pieces.struts[k].slope();
+            }
+            decay = decay.max(damping / leg.mass);
+            stiffness = stiffness.max(springs / leg.mass);
+        }
+        [decay, libm::sqrt(stiffness)]
+    }
+
     /// Change of the friction on a footpad with its sliding speed, per normal force, s/ft.
     pub(super) fn friction_change(&self, leg: usize, pieces: &LegPieces) -> f64 {
         self.legs[leg].friction * pieces.friction.change()

@@ -5,8 +5,9 @@ use pulp::NullaryFnOnce;
 
 use super::extremes::{Extremes, Seen};
 use crate::equations::three_struts::{Motion, Signals, State};
+use crate::integrator::dormand_prince;
 use crate::integrator::event::{Guard, Sample, first_exit};
-use crate::integrator::rosenbrock::{EVALUATIONS, GAMMA, TIMES};
+use crate::integrator::rosenbrock::{self, GAMMA, TIMES};
 use crate::integrator::step::Step;
 use crate::integrator::step_control::{LONGEST, SHORTEST, StepControl};
 use crate::landing::UnderWay;
@@ -29,6 +30,9 @@ use crate::three_strut_leg::ThreeStrutLeg;
 use crate::thrust::ThrustLine;
 use crate::vehicle::Vehicle;
 
+/// Rate of decay and angular frequency of the fastest motion of a foot, times the length of a step, from which on the step is
+/// implicit: an explicit one would be near its limit of stability.
+const STIFF: [f64; 2] = [3.0, 1.6];
 /// Most signals with ranges.
 const MOST_SIGNALS: usize = SIGNALS * MOST_LEGS;
 
@@ -221,6 +225,42 @@ impl<'o> Simulation<'o> {
     /// Body of `attempt`, compiled for any registers.
     #[inline(always)]
     fn attempt_in_registers(&mut self, length: f64) -> f64 {
+        let fastest = self.motion.fastest(&self.signals[0], &self.pieces);
+        match (0..2).any(|k| length * fastest[k] > STIFF[k]) {
+            true => self.take_implicit(length),
+            false => self.take_explicit(length),
+        }
+        let [motion, work] = self.step.error();
+        if motion.is_nan() {
+            return f64::INFINITY;
+        }
+        (motion / self.settings.tolerance()).max(work / self.work_error)
+    }
+
+    #[inline(always)]
+    fn take_explicit(&mut self, length: f64) {
+        let Self {
+            motion,
+            pieces,
+            step,
+            stages: [at_half, ..],
+            signals: [_, at_middle, at_end],
+            thrust,
+            ..
+        } = self;
+        let thrust_at = |fraction: f64| thrust.at(self.time + fraction * length);
+        step.take_explicit(
+            length,
+            |fraction, state, slope| motion.derive(thrust_at(fraction), state, pieces, slope),
+            |state, slope| motion.evaluate(thrust_at(1.0), state, pieces, slope, at_end),
+        );
+        step.motion_at(0.5, at_half);
+        *at_middle = motion.signals(at_half, pieces);
+        self.evaluations += dormand_prince::EVALUATIONS + 1;
+    }
+
+    #[inline(always)]
+    fn take_implicit(&mut self, length: f64) {
         let Self {
             motion,
             pieces,
@@ -250,12 +290,7 @@ impl<'o> Simulation<'o> {
             |state, slope| motion.evaluate(thrust_at(0.5), state, pieces, slope, at_middle),
             |state, slope| motion.evaluate(thrust_at(1.0), state, pieces, slope, at_end),
         );
-        self.evaluations += EVALUATIONS + u64::from(start.is_some());
-        let [motion, work] = self.step.error();
-        if motion.is_nan() {
-            return f64::INFINITY;
-        }
-        (motion / self.settings.tolerance()).max(work / self.work_error)
+        self.evaluations += rosenbrock::EVALUATIONS + u64::from(start.is_some());
     }
 
     /// Finds the first fraction of the step at which a law changes its active piece, and the one of the `buffers` with the
