@@ -137,7 +137,7 @@
 //! | `laws` | the laws of a leg | [`crush`], [`friction`], [`strut`], [`hinge`], [`contact`], [`leg_pieces`], `signal`, [`outcome`] |
 //! | `design` | plain data of a lander | [`parts`], [`quantities`], [`profile`], [`crush_load`], [`attitude`], [`rules`], [`soil`], [`invalid`] |
 //! | [`integrator`] | methods, dense output, step control, event location: knows nothing of legs | |
-//! | `numbers` | scalars, lanes, registers, one item per leg | [`scalar`], [`lanes`], [`registers`], [`per_leg`], `products` |
+//! | `numbers` | scalars, lanes, registers, one item per leg, legs in lanes | [`scalar`], [`lanes`], [`registers`], [`per_leg`], `quads`, `products` |
 
 #![warn(unnameable_types)]
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
@@ -165,5 +165,5 @@ use landing::critical_feet;
 pub use landing::{energy, record, stability, touchdown};
 use laws::signal;
 pub use laws::{contact, crush, friction, hinge, leg_pieces, outcome, strut};
-use numbers::{extremes, products};
+use numbers::{extremes, products, quads};
 pub use numbers::{lanes, per_leg, registers, scalar};

@@ -4,5 +4,6 @@ pub mod extremes;
 pub mod lanes;
 pub mod per_leg;
 pub mod products;
+pub mod quads;
 pub mod registers;
 pub mod scalar;

@@ -9,5 +9,6 @@ mod response;
 mod state;
 mod struts;
 
-pub use motion::{Motion, Signals};
+pub use motion::{Motion, Pieces, Signals};
+pub use response::{Response, StageFactors};
 pub use state::State;

@@ -10,5 +10,6 @@ mod extremes;
 mod peaks;
 mod simulation;
 mod standing;
+mod step_attempt;
 
 pub(super) use simulation::Simulation;

@@ -7,7 +7,9 @@ use std::ops::Range;
 use crate::crush::{Crush, CrushLaw, PressureLine};
 use crate::friction::{FrictionPiece, FrictionProfile, Sliding};
 use crate::integrator::event::{Bounds, Exit};
+use crate::lanes::per_lane;
 use crate::outcome::Outcome;
+use crate::scalar::Real;
 use crate::soil::Soil;
 use crate::three_struts::{LegStrut, ThreeStrutDesign};
 
@@ -27,7 +29,7 @@ pub const LOAD: usize = 9;
 pub const SIGNALS: usize = 10;
 
 /// The signals of one leg.
-pub type LegSignals = [f64; SIGNALS];
+pub type LegSignals<S> = [S; SIGNALS];
 
 /// The laws of one leg. A clone shares its tables.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,32 +67,37 @@ struct TwoWay {
 
 /// Coefficients of the active pieces of one leg.
 #[derive(Debug, Clone, Copy)]
-pub struct LegPieces {
+pub struct LegPieces<S> {
     /// Relative pressure on the footpad against interference.
-    pub pad: PressureLine<f64>,
+    pub pad: PressureLine<S>,
     /// Friction under it.
-    pub friction: FrictionPiece<f64>,
+    pub friction: FrictionPiece<S>,
     /// The struts.
-    pub struts: [StrutLine; STRUTS],
+    pub struts: [StrutLine<S>; STRUTS],
 }
 
 /// Load of a strut against its stroke.
 #[derive(Debug, Clone, Copy)]
-pub struct StrutLine {
-    compression: PressureLine<f64>,
-    tension: PressureLine<f64>,
+pub struct StrutLine<S> {
+    compression: PressureLine<S>,
+    tension: PressureLine<S>,
 }
 
-impl StrutLine {
+per_lane!(
+    LegPieces { pad, friction, struts }
+    StrutLine { compression, tension }
+);
+
+impl<S: Real> StrutLine<S> {
     /// Load at a stroke (ft), lb; compression is positive.
     #[inline(always)]
-    pub fn at(&self, stroke: f64) -> f64 {
+    pub fn at(&self, stroke: S) -> S {
         self.compression.at(stroke) - self.tension.at(-stroke)
     }
 
     /// Change of the load with the stroke, lb/ft.
     #[inline(always)]
-    pub fn slope(&self) -> f64 {
+    pub fn slope(&self) -> S {
         self.compression.slope() + self.tension.slope()
     }
 }
@@ -117,7 +124,7 @@ impl TwoWay {
         is_new(&self.compression) && is_new(&self.tension)
     }
 
-    fn line(&self, law: &TwoWayLaw) -> StrutLine {
+    fn line(&self, law: &TwoWayLaw) -> StrutLine<f64> {
         if self.is_new() {
             return StrutLine {
                 compression: law.compression.elastic_line(),
@@ -241,7 +248,7 @@ impl LegMode {
     }
 
     /// Coefficients of the active pieces.
-    pub fn pieces(&self, laws: &LegLaws) -> LegPieces {
+    pub fn pieces(&self, laws: &LegLaws) -> LegPieces<f64> {
         LegPieces {
             pad: self.pad.line(&laws.pad),
             friction: self.sliding.piece(laws.friction),
@@ -275,7 +282,7 @@ impl LegMode {
         leg: usize,
         signal: usize,
         exit: Exit,
-        signals: &LegSignals,
+        signals: &LegSignals<f64>,
     ) -> Result<(), Outcome> {
         let was_loaded = self.pad.is_loaded();
         let value = signals[signal];
@@ -307,20 +314,20 @@ impl LegMode {
     }
 
     /// Gap between the footpad and its ground, along the ground's normal, ft.
-    pub fn pad_gap(&self, laws: &LegLaws, signals: &LegSignals) -> f64 {
+    pub fn pad_gap(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> f64 {
         let interference = signals[INTERFERENCE];
         (self.pad.set_at(&laws.pad, interference) - interference).max(0.0)
     }
 
     /// Plastic set of the footpad, ft, without that of soil, and its greatest sinkage if it stands on soil.
-    pub fn pad_set(&self, laws: &LegLaws, signals: &LegSignals) -> (f64, Option<f64>) {
+    pub fn pad_set(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> (f64, Option<f64>) {
         let set = self.pad.set_at(&laws.pad, signals[INTERFERENCE]);
         let sinkage = || laws.pad.sinkage_at(laws.pad.deepest(set));
         (laws.pad.own_set(set), laws.pad.is_on_soil().then(sinkage))
     }
 
     /// Greatest crush of the footpad, that crush with its joint on the ground, and its greatest sinkage, ft.
-    pub fn pad_depths(&self, laws: &LegLaws, signals: &LegSignals) -> [f64; 3] {
+    pub fn pad_depths(&self, laws: &LegLaws, signals: &LegSignals<f64>) -> [f64; 3] {
         let deepest = self.pad.deepest(signals[INTERFERENCE]);
         let sinkage = laws.pad.sinkage_at(deepest);
         let height = laws.pad_height - laws.pad.sinkage_at(laws.pad_height);
@@ -328,7 +335,7 @@ impl LegMode {
     }
 
     /// Returns whether the footpad is crushed faster than `limit`, ft/s.
-    pub fn pad_crushes(&self, limit: f64, signals: &LegSignals) -> bool {
+    pub fn pad_crushes(&self, limit: f64, signals: &LegSignals<f64>) -> bool {
         self.pad.is_on_front() && signals[INTERFERENCE_RATE] > limit
     }
 
@@ -340,7 +347,7 @@ impl LegMode {
         loads: &[f64; STRUTS],
         present: &[f64; STRUTS],
         limit: f64,
-        signals: &LegSignals,
+        signals: &LegSignals<f64>,
     ) -> bool {
         (0..STRUTS).all(|k| {
             let (strut, law) = (&self.struts[k], &laws.struts[k]);

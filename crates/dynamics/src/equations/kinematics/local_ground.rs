@@ -82,19 +82,20 @@ impl LocalPlane<f64> {
             },
         }
     }
+}
 
+impl<S: Real> LocalPlane<S> {
     /// Inward normal in ground axes.
-    pub fn normal(&self) -> &Vector3<f64> {
+    pub fn normal(&self) -> &Vector3<S> {
         &self.normal
     }
 
     /// Depth below the plane of a point in ground axes, ft.
-    pub fn depth_of(&self, point: &Vector3<f64>) -> f64 {
+    #[inline(always)]
+    pub fn depth_of(&self, point: &Vector3<S>) -> S {
         self.normal.dot(point) + self.offset
     }
-}
 
-impl<S: Real> LocalPlane<S> {
     /// Vertical rise of a point to leave the plane, ft, from its depth (ft) below it.
     pub fn rise(&self, depth: S) -> S {
         depth / self.normal.z

@@ -1,17 +1,22 @@
 //! Forces on body and feet, and the signals by which laws change.
 
 use nalgebra::{Matrix3, Vector3};
+use num_traits::One;
 
 use super::state::{FootState, State};
 use super::struts::{Reach, Struts};
 use crate::ground::Patch;
 use crate::integrator::event::SignalValues;
 use crate::kinematics::{LocalPlane, Surface};
+use crate::lanes::{Lanes, per_lane};
 use crate::laws::three_struts::{
     INTERFERENCE, INTERFERENCE_RATE, LOAD, LegPieces, LegSignals, SIGNALS, SLIDING, STROKE_RATES,
     STROKES, STRUTS,
 };
-use crate::per_leg::{MOST_LEGS, PerLeg};
+use crate::per_leg::PerLeg;
+use crate::products::{times, transposed_times};
+use crate::quads::{LANES, QUADS, Quad, Quads, legs_in, side_by_side, vector_sum};
+use crate::scalar::Real;
 use crate::scene::Scene;
 use crate::state::{Body, quaternion_rate, rotation};
 use crate::three_strut_leg::ThreeStrutLeg;
@@ -28,30 +33,83 @@ pub struct Motion {
     pub(super) inertia: Matrix3<f64>,
     inverse_inertia: Matrix3<f64>,
     gravity: f64,
-    pub(super) legs: PerLeg<Leg>,
+    legs: PerLeg<Leg<f64>>,
+    /// The same, four legs at a time.
+    pub(super) quads: Quads<Leg<Quad>>,
 }
 
-/// Constants of one leg.
+/// Constants of one leg, or of a group of them.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Leg {
-    pub(super) struts: Struts,
+pub(super) struct Leg<S> {
+    pub(super) struts: Struts<S>,
     /// Damping of each strut: lb·s/ft, and lb·s²/ft².
-    damping: [[f64; 2]; STRUTS],
-    pub(super) mass: f64,
-    pub(super) ground: LocalPlane<f64>,
-    pad_height: f64,
+    damping: [[S; 2]; STRUTS],
+    pub(super) mass: S,
+    pub(super) ground: LocalPlane<S>,
+    pad_height: S,
     /// π d_f²/4 C_f: the force on the footpad per relative pressure, lb.
-    pub(super) pad_strength: f64,
-    friction: f64,
+    pub(super) pad_strength: S,
+    pub(super) friction: S,
+}
+
+per_lane!(Leg {
+    struts,
+    damping,
+    mass,
+    ground,
+    pad_height,
+    pad_strength,
+    friction,
+});
+
+/// The active pieces of the laws of all legs.
+#[derive(Debug, Clone)]
+pub struct Pieces {
+    legs: PerLeg<LegPieces<f64>>,
+    pub(super) quads: Quads<LegPieces<Quad>>,
+}
+
+impl Pieces {
+    /// The active pieces of these legs.
+    pub fn new(legs: PerLeg<LegPieces<f64>>) -> Self {
+        Self {
+            quads: side_by_side(&legs),
+            legs,
+        }
+    }
 }
 
 /// Signals of all legs at one instant.
-pub type Signals = [LegSignals; MOST_LEGS];
+#[derive(Debug, Clone, Copy)]
+pub struct Signals([LegSignals<Quad>; QUADS]);
+
+impl Signals {
+    /// No signals yet.
+    pub const NONE: Self = Self([[Lanes([0.0; LANES]); SIGNALS]; QUADS]);
+
+    /// A signal of a leg.
+    #[inline(always)]
+    pub fn of(&self, leg: usize, signal: usize) -> f64 {
+        self.0[leg / LANES][signal].0[leg % LANES]
+    }
+
+    /// The signals of a group of legs.
+    #[inline(always)]
+    pub fn quad(&self, quad: usize) -> &LegSignals<Quad> {
+        &self.0[quad]
+    }
+
+    /// The signals of a leg.
+    pub fn leg(&self, leg: usize) -> LegSignals<f64> {
+        std::array::from_fn(|signal| self.of(leg, signal))
+    }
+}
 
 impl SignalValues for Signals {
+    /// Signals are counted leg by leg.
     #[inline(always)]
     fn get(&self, index: usize) -> f64 {
-        self.as_flattened()[index]
+        self.of(index / SIGNALS, index % SIGNALS)
     }
 }
 
@@ -66,34 +124,56 @@ pub struct LegForces {
     pub friction: f64,
 }
 
-/// One leg at one instant.
-pub(super) struct LegAction {
+/// One leg at one instant, or a group of them.
+pub(super) struct LegAction<S> {
     /// Foot from the CG in vehicle axes, ft.
-    pub(super) place: Vector3<f64>,
+    pub(super) place: Vector3<S>,
     /// Its velocity in the body, ft/s.
-    pub(super) velocity: Vector3<f64>,
-    pub(super) reaches: [Reach; STRUTS],
-    pub(super) rates: [f64; STRUTS],
-    pub(super) loads: [f64; STRUTS],
+    pub(super) velocity: Vector3<S>,
+    pub(super) reaches: [Reach<S>; STRUTS],
+    pub(super) rates: [S; STRUTS],
+    pub(super) loads: [S; STRUTS],
     /// Force of the struts on the foot in vehicle axes, lb.
-    pub(super) pull: Vector3<f64>,
-    pub(super) contact: Contact,
-    pub(super) interference: f64,
+    pub(super) pull: Vector3<S>,
+    pub(super) contact: Contact<S>,
+    pub(super) interference: S,
 }
 
 /// Action of the ground on a foot.
-pub(super) struct Contact {
+pub(super) struct Contact<S> {
     /// Velocity into the ground, ft/s, and along it in ground axes.
-    pub(super) inward: f64,
-    pub(super) sliding: Vector3<f64>,
-    pub(super) sliding_squared: f64,
+    pub(super) inward: S,
+    pub(super) sliding: Vector3<S>,
+    pub(super) sliding_squared: S,
     /// Normal force, lb.
-    pub(super) normal: f64,
+    pub(super) normal: S,
     /// μ/S, s/ft.
-    pub(super) drag: f64,
+    pub(super) drag: S,
 }
 
-impl Leg {
+/// The body as the legs see it.
+pub(super) struct SeenBody<S> {
+    position: Vector3<S>,
+    velocity: Vector3<S>,
+    /// Turns vehicle axes into ground axes.
+    pub(super) frame: Matrix3<S>,
+    /// Angular velocity, vehicle axes, rad/s.
+    pub(super) rate: Vector3<S>,
+}
+
+impl<S: Real> SeenBody<S> {
+    #[inline(always)]
+    pub(super) fn new(body: &Body<f64>, frame: &Matrix3<f64>) -> Self {
+        Self {
+            position: body.position.map(S::constant),
+            velocity: body.velocity.map(S::constant),
+            frame: frame.map(S::constant),
+            rate: body.rate.map(S::constant),
+        }
+    }
+}
+
+impl Leg<f64> {
     fn new(index: usize, leg: &ThreeStrutLeg, depth: f64, center: [f64; 2], scene: &Scene) -> Self {
         let design = leg.design();
         let conditions = scene.conditions();
@@ -116,13 +196,59 @@ impl Leg {
             friction: conditions.pad_friction,
         }
     }
+}
 
+impl<S: Real> Leg<S> {
     /// Damping of strut `k` at a rate of its stroke (ft/s): force per speed, and its derivative, lb·s/ft.
     #[inline(always)]
-    pub(super) fn damping(&self, k: usize, rate: f64) -> [f64; 2] {
+    pub(super) fn damping(&self, k: usize, rate: S) -> [S; 2] {
         let [linear, square] = self.damping[k];
         let grown = square * rate.abs();
-        [linear + grown, linear + 2.0 * grown]
+        [linear + grown, linear + grown + grown]
+    }
+
+    /// The leg with its foot in a state.
+    #[inline(always)]
+    pub(super) fn act(
+        &self,
+        body: &SeenBody<S>,
+        foot: &FootState<S>,
+        pieces: &LegPieces<S>,
+    ) -> LegAction<S> {
+        let place = transposed_times(&body.frame, &(foot.position - body.position));
+        let velocity = transposed_times(&body.frame, &(foot.velocity - body.velocity))
+            - body.rate.cross(&place);
+        let reaches = self.struts.at(&place);
+        let (mut rates, mut loads) = ([S::zero(); STRUTS], [S::zero(); STRUTS]);
+        let mut pull = Vector3::zeros();
+        for k in 0..STRUTS {
+            let Reach { stroke, push } = &reaches[k];
+            rates[k] = -push.dot(&velocity);
+            let [damping, _] = self.damping(k, rates[k]);
+            loads[k] = pieces.struts[k].at(*stroke) + damping * rates[k];
+            pull += push * loads[k];
+        }
+        let normal = self.ground.normal();
+        let interference = self.ground.depth_of(&foot.position) + self.pad_height;
+        let inward = normal.dot(&foot.velocity);
+        let sliding = foot.velocity - normal * inward;
+        let sliding_squared = sliding.dot(&sliding);
+        LegAction {
+            place,
+            velocity,
+            reaches,
+            rates,
+            loads,
+            pull,
+            contact: Contact {
+                inward,
+                sliding,
+                sliding_squared,
+                normal: self.pad_strength * pieces.pad.at(interference),
+                drag: self.friction * pieces.friction.per_speed(sliding_squared),
+            },
+            interference,
+        }
     }
 }
 
@@ -133,6 +259,7 @@ impl Motion {
         let depth = vehicle.center_of_gravity_height();
         let center = vehicle.center_of_gravity_offset().map(|offset| -offset);
         let [x, y] = scene.conditions().thrust.offset();
+        let of_legs = PerLeg::from_fn(legs.len(), |j| Leg::new(j, &legs[j], depth, center, scene));
         Self {
             surface: Surface::new(scene),
             thrust_place: Vector3::new(center[0] + x, center[1] + y, 0.0),
@@ -141,7 +268,8 @@ impl Motion {
             inverse_inertia: inertia.try_inverse().unwrap_or_else(Matrix3::zeros),
             inertia,
             gravity: scene.gravity(vehicle),
-            legs: PerLeg::from_fn(legs.len(), |j| Leg::new(j, &legs[j], depth, center, scene)),
+            quads: side_by_side(&of_legs),
+            legs: of_legs,
         }
     }
 
@@ -163,7 +291,7 @@ impl Motion {
     /// The state at first contact: feet at rest in the moving body, with the lowest footpad on its ground.
     pub fn at_first_contact(&self, mut body: Body<f64>) -> State {
         let frame = rotation(&body.quaternion);
-        let rise = |leg: &Leg| {
+        let rise = |leg: &Leg<f64>| {
             let depth = leg
                 .ground
                 .depth_of(&(body.position + frame * leg.struts.foot));
@@ -185,75 +313,91 @@ impl Motion {
         state
     }
 
-    /// One leg at a state.
-    #[inline(always)]
-    pub(super) fn act(
-        &self,
-        leg: usize,
-        body: &Body<f64>,
-        frame: &Matrix3<f64>,
-        foot: &FootState,
-        pieces: &LegPieces,
-    ) -> LegAction {
-        let of_leg = &self.legs[leg];
-        let place = frame.tr_mul(&(foot.position - body.position));
-        let velocity = frame.tr_mul(&(foot.velocity - body.velocity)) - body.rate.cross(&place);
-        let reaches = of_leg.struts.at(&place);
-        let rates: [f64; STRUTS] = std::array::from_fn(|k| -reaches[k].push.dot(&velocity));
-        let loads: [f64; STRUTS] = std::array::from_fn(|k| {
-            let [damping, _] = of_leg.damping(k, rates[k]);
-            pieces.struts[k].at(reaches[k].stroke) + damping * rates[k]
-        });
-        let pull = (0..STRUTS).fold(Vector3::zeros(), |pull, k| {
-            pull + reaches[k].push * loads[k]
-        });
-        let normal = of_leg.ground.normal();
-        let interference = of_leg.ground.depth_of(&foot.position) + of_leg.pad_height;
-        let inward = normal.dot(&foot.velocity);
-        let sliding = foot.velocity - normal * inward;
-        let sliding_squared = sliding.norm_squared();
-        LegAction {
-            place,
-            velocity,
-            reaches,
-            rates,
-            loads,
-            pull,
-            contact: Contact {
-                inward,
-                sliding,
-                sliding_squared,
-                normal: of_leg.pad_strength * pieces.pad.at(interference),
-                drag: of_leg.friction * pieces.friction.per_speed(sliding_squared),
-            },
-            interference,
-        }
-    }
-
     /// Rate at which the fastest motion of a foot decays, 1/s, and the angular frequency of the fastest oscillation, rad/s, where
     /// the signals are these: upper limits of both.
     #[inline(always)]
-    pub fn fastest(&self, signals: &Signals, pieces: &PerLeg<LegPieces>) -> [f64; 2] {
-        let (mut decay, mut stiffness): (f64, f64) = (0.0, 0.0);
-        for (j, leg) in self.legs.iter().enumerate() {
-            let (signals, pieces) = (&signals[j], &pieces[j]);
+    pub fn fastest(&self, signals: &Signals, pieces: &Pieces) -> [f64; 2] {
+        let mut fastest = [Quad::constant(0.0); 2];
+        for (quad, leg) in self.quads.iter().enumerate() {
+            let (signals, pieces) = (&signals.0[quad], &pieces.quads[quad]);
             let normal = leg.pad_strength * pieces.pad.at(signals[INTERFERENCE]);
-            let friction = normal * leg.friction * pieces.friction.per_speed(signals[SLIDING]);
-            let pad = leg.pad_strength * pieces.pad.slope();
-            let (mut damping, mut springs) = (friction, pad);
+            let mut damping = normal * leg.friction * pieces.friction.per_speed(signals[SLIDING]);
+            let mut springs = leg.pad_strength * pieces.pad.slope();
             for k in 0..STRUTS {
                 damping += leg.damping(k, signals[STROKE_RATES.start + k])[1];
                 springs += pieces.struts[k].slope();
             }
-            decay = decay.max(damping / leg.mass);
-            stiffness = stiffness.max(springs / leg.mass);
+            let [decay, stiffness] = &mut fastest;
+            *decay = decay.max(damping / leg.mass);
+            *stiffness = stiffness.max(springs / leg.mass);
         }
+        let [decay, stiffness] =
+            fastest.map(|of_legs| crate::extremes::greatest(of_legs.0.into_iter()));
         [decay, libm::sqrt(stiffness)]
     }
 
-    /// Change of the friction on a footpad with its sliding speed, per normal force, s/ft.
-    pub(super) fn friction_change(&self, leg: usize, pieces: &LegPieces) -> f64 {
-        self.legs[leg].friction * pieces.friction.change()
+    /// Writes the time derivative of the state under this thrust (lb), and tells of each group of legs in turn.
+    #[inline(always)]
+    fn derive_and_tell(
+        &self,
+        thrust: f64,
+        state: &State,
+        pieces: &Pieces,
+        derivative: &mut State,
+        mut tell: impl FnMut(usize, &LegAction<Quad>),
+    ) {
+        let body = state.body();
+        let frame = rotation(&body.quaternion);
+        let seen = SeenBody::new(&body, &frame);
+        let gravity = Quad::constant(self.gravity);
+        // Force and torque about the CG, vehicle axes.
+        let mut force = Vector3::new(0.0, 0.0, -thrust);
+        let mut torque = self.thrust_place.cross(&force);
+        for (quad, leg) in self.quads.iter().enumerate() {
+            let foot = state.feet(quad);
+            let action = leg.act(&seen, &foot, &pieces.quads[quad]);
+            let legs = legs_in(quad, self.leg_count());
+            force -= vector_sum(&action.pull, legs);
+            torque -= vector_sum(&action.place.cross(&action.pull), legs);
+            let contact = &action.contact;
+            let ground = (leg.ground.normal() + contact.sliding * contact.drag) * -contact.normal;
+            let mut acceleration =
+                (times(&seen.frame, &action.pull) + ground) * (Quad::one() / leg.mass);
+            acceleration.z += gravity;
+            derivative.set_feet(
+                quad,
+                &FootState {
+                    position: foot.velocity,
+                    velocity: acceleration,
+                },
+            );
+            let [first, second, third] = &action.loads;
+            let rates = &action.rates;
+            derivative.set_works(
+                quad,
+                [
+                    *first * rates[0] + *second * rates[1] + *third * rates[2],
+                    contact.normal * contact.inward,
+                    contact.normal * contact.drag * contact.sliding_squared,
+                ],
+            );
+            tell(quad, &action);
+        }
+        let mut acceleration = times(&frame, &force) / self.mass;
+        acceleration.z += self.gravity;
+        let twist = torque - body.rate.cross(&times(&self.inertia, &body.rate));
+        derivative.set_body(&Body {
+            position: body.velocity,
+            velocity: acceleration,
+            quaternion: quaternion_rate(&body.quaternion, &body.rate),
+            rate: times(&self.inverse_inertia, &twist),
+        });
+    }
+
+    /// Writes the time derivative of the state under this thrust (lb).
+    #[inline(always)]
+    pub fn derive(&self, thrust: f64, state: &State, pieces: &Pieces, derivative: &mut State) {
+        self.derive_and_tell(thrust, state, pieces, derivative, |_, _| {});
     }
 
     /// Writes the time derivative of the state and the signals of all legs, under this thrust (lb).
@@ -262,88 +406,41 @@ impl Motion {
         &self,
         thrust: f64,
         state: &State,
-        pieces: &PerLeg<LegPieces>,
+        pieces: &Pieces,
         derivative: &mut State,
         signals: &mut Signals,
     ) {
-        let body = state.body();
-        let frame = rotation(&body.quaternion);
-        // Force and torque about the CG, vehicle axes.
-        let mut force = Vector3::new(0.0, 0.0, -thrust);
-        let mut torque = self.thrust_place.cross(&force);
-        for (j, leg) in self.legs.iter().enumerate() {
-            let foot = state.foot(j);
-            let action = self.act(j, &body, &frame, &foot, &pieces[j]);
-            force -= action.pull;
-            torque -= action.place.cross(&action.pull);
-            let contact = &action.contact;
-            let ground = (leg.ground.normal() + contact.sliding * contact.drag) * -contact.normal;
-            let mut acceleration = (frame * action.pull + ground) / leg.mass;
-            acceleration.z += self.gravity;
-            derivative.set_foot(
-                j,
-                &FootState {
-                    position: foot.velocity,
-                    velocity: acceleration,
-                },
-            );
-            let power: f64 = (0..STRUTS).map(|k| action.loads[k] * action.rates[k]).sum();
-            derivative.set_works(
-                j,
-                [
-                    power,
-                    contact.normal * contact.inward,
-                    contact.normal * contact.drag * contact.sliding_squared,
-                ],
-            );
-            signals[j] = action.signals();
-        }
-        let mut acceleration = frame * force / self.mass;
-        acceleration.z += self.gravity;
-        let twist = torque - body.rate.cross(&(self.inertia * body.rate));
-        derivative.set_body(&Body {
-            position: body.velocity,
-            velocity: acceleration,
-            quaternion: quaternion_rate(&body.quaternion, &body.rate),
-            rate: self.inverse_inertia * twist,
+        self.derive_and_tell(thrust, state, pieces, derivative, |quad, action| {
+            signals.0[quad] = action.signals();
         });
     }
 
-    /// Writes the time derivative of the state under this thrust (lb).
-    #[inline(always)]
-    pub fn derive(
-        &self,
-        thrust: f64,
-        state: &State,
-        pieces: &PerLeg<LegPieces>,
-        derivative: &mut State,
-    ) {
-        let mut signals = [[0.0; SIGNALS]; MOST_LEGS];
-        self.evaluate(thrust, state, pieces, derivative, &mut signals);
-    }
-
     /// Signals of all legs at a state.
-    pub fn signals(&self, state: &State, pieces: &PerLeg<LegPieces>) -> Signals {
-        let mut signals = [[0.0; SIGNALS]; MOST_LEGS];
+    #[inline(always)]
+    pub fn signals(&self, state: &State, pieces: &Pieces) -> Signals {
+        let mut signals = Signals::NONE;
         let body = state.body();
-        let frame = rotation(&body.quaternion);
-        for j in 0..self.leg_count() {
-            let action = self.act(j, &body, &frame, &state.foot(j), &pieces[j]);
-            signals[j] = action.signals();
+        let seen = SeenBody::new(&body, &rotation(&body.quaternion));
+        for (quad, leg) in self.quads.iter().enumerate() {
+            let action = leg.act(&seen, &state.feet(quad), &pieces.quads[quad]);
+            signals.0[quad] = action.signals();
         }
         signals
     }
 
-    /// Forces on a leg at a state.
-    pub fn forces(&self, leg: usize, state: &State, pieces: &PerLeg<LegPieces>) -> LegForces {
-        let body = state.body();
-        let frame = rotation(&body.quaternion);
-        let action = self.act(leg, &body, &frame, &state.foot(leg), &pieces[leg]);
-        let contact = &action.contact;
+    /// Forces on a leg whose signals are these.
+    pub fn forces(&self, leg: usize, signals: &Signals, pieces: &Pieces) -> LegForces {
+        let (of_leg, signals, pieces) = (&self.legs[leg], signals.leg(leg), &pieces.legs[leg]);
+        let normal = of_leg.pad_strength * pieces.pad.at(signals[INTERFERENCE]);
+        let sliding_squared = signals[SLIDING];
+        let drag = of_leg.friction * pieces.friction.per_speed(sliding_squared);
         LegForces {
-            struts: action.loads,
-            normal: contact.normal,
-            friction: contact.normal * contact.drag * libm::sqrt(contact.sliding_squared),
+            struts: std::array::from_fn(|k| {
+                let (stroke, rate) = (signals[STROKES.start + k], signals[STROKE_RATES.start + k]);
+                pieces.struts[k].at(stroke) + of_leg.damping(k, rate)[0] * rate
+            }),
+            normal,
+            friction: normal * drag * libm::sqrt(sliding_squared),
         }
     }
 
@@ -417,10 +514,10 @@ impl Motion {
     }
 }
 
-impl LegAction {
+impl<S: Real> LegAction<S> {
     #[inline(always)]
-    fn signals(&self) -> LegSignals {
-        let mut signals = [0.0; SIGNALS];
+    fn signals(&self) -> LegSignals<S> {
+        let mut signals = [S::zero(); SIGNALS];
         signals[INTERFERENCE] = self.interference;
         signals[INTERFERENCE_RATE] = self.contact.inward;
         signals[SLIDING] = self.contact.sliding_squared;

@@ -3,14 +3,17 @@
 //! Struts and ground act on feet, and the body feels a foot only through its struts. Eliminating each foot leaves six
 //! equations of the body. They are written in vehicle axes: translation and rotation of the body, translation of each foot.
 
-use nalgebra::{LU, Matrix3, Matrix3x6, Matrix6, SMatrix, U6, Vector3, Vector6};
+use nalgebra::{LU, Matrix3, Matrix6, U6, Vector3, Vector6};
+use num_traits::{One, Zero};
 
-use super::motion::{LegAction, Motion};
+use super::motion::{Leg, LegAction, Motion, Pieces, SeenBody};
 use super::state::{FootState, State};
 use crate::integrator::rosenbrock::StageEquations;
 use crate::laws::three_struts::{LegPieces, STRUTS};
-use crate::per_leg::PerLeg;
+use crate::products::{cross_matrix, inverse, outer, product, times, transposed_times};
+use crate::quads::{Quad, Quads, legs_in, matrix_sum, vector_sum};
 use crate::response::turn;
+use crate::scalar::Real;
 use crate::state::{Body, quaternion_rate, rotation};
 
 /// Displacement by which the push of the struts is differenced, ft.
@@ -25,26 +28,27 @@ pub struct Response {
     inertia: Matrix3<f64>,
     /// Angular velocity, rad/s.
     rate: Vector3<f64>,
-    legs: PerLeg<LegResponse>,
+    legs: usize,
+    quads: Quads<LegResponse>,
 }
 
-/// Derivatives of the forces on one foot, vehicle axes.
+/// Derivatives of the forces on four feet, vehicle axes.
 #[derive(Debug, Clone, Copy)]
 struct LegResponse {
-    mass: f64,
-    /// Place of the foot in the body per displacement of the body: [−1 | p×].
-    carried: Matrix3x6<f64>,
+    mass: Quad,
+    /// Place of the foot as the matrix of its cross product: how a rotation of the body moves it in the body.
+    lever: Matrix3<Quad>,
     /// Velocity of the foot in ground axes relative to that of the CG, as the matrix of its cross product: seen from the body
     /// it turns as the body does.
-    passing: Matrix3<f64>,
+    passing: Matrix3<Quad>,
     /// Force of the struts per displacement and per velocity of the foot in the body.
-    strut_stiffness: Matrix3<f64>,
-    strut_damping: Matrix3<f64>,
+    strut_stiffness: Matrix3<Quad>,
+    strut_damping: Matrix3<Quad>,
     /// Force of the struts on the foot as the matrix of its cross product: it turns with the body, and its lever moves.
-    pull: Matrix3<f64>,
+    pull: Matrix3<Quad>,
     /// Force of the ground per displacement and per velocity of the foot.
-    ground_stiffness: Matrix3<f64>,
-    ground_damping: Matrix3<f64>,
+    ground_stiffness: Matrix3<Quad>,
+    ground_damping: Matrix3<Quad>,
 }
 
 /// Factors of the equations of an implicit stage.
@@ -53,176 +57,200 @@ pub struct StageFactors<'a> {
     response: &'a Response,
     tau: f64,
     body: LU<f64, U6, U6>,
-    legs: PerLeg<Eliminated>,
+    quads: Quads<Eliminated>,
 }
 
-/// A foot, eliminated from the equations of a stage.
+/// Four feet, eliminated from the equations of a stage.
 #[derive(Debug, Clone, Copy)]
 struct Eliminated {
     /// Inverse of the foot's own matrix.
-    inverse: Matrix3<f64>,
-    /// Force on the body, times τ, per velocity of the foot.
-    on_body: SMatrix<f64, 6, 3>,
-    /// Force on the foot, times τ, per velocity of the body.
-    on_foot: Matrix3x6<f64>,
+    inverse: Matrix3<Quad>,
+    /// Force and torque on the body, times τ, per velocity of the foot.
+    on_body: [Matrix3<Quad>; 2],
+    /// Force on the foot, times τ, per velocity and angular velocity of the body.
+    on_foot: [Matrix3<Quad>; 2],
 }
 
 impl Motion {
     /// The derivatives of the forces at a state.
     #[inline(always)]
-    pub fn respond(&self, state: &State, pieces: &PerLeg<LegPieces>) -> Response {
+    pub fn respond(&self, state: &State, pieces: &Pieces) -> Response {
         let body = state.body();
         let frame = rotation(&body.quaternion);
+        let seen = SeenBody::new(&body, &frame);
+        let mut quads = Quads::new();
+        for (quad, leg) in self.quads.iter().enumerate() {
+            let pieces = &pieces.quads[quad];
+            let action = leg.act(&seen, &state.feet(quad), pieces);
+            quads.push(leg.respond(&seen, &action, pieces));
+        }
         Response {
             quaternion: body.quaternion,
             mass: self.mass,
             inertia: self.inertia,
             rate: body.rate,
-            legs: PerLeg::from_fn(self.leg_count(), |j| {
-                let action = self.act(j, &body, &frame, &state.foot(j), &pieces[j]);
-                self.leg_responds(j, &frame, &body.rate, &action, &pieces[j])
-            }),
+            legs: self.leg_count(),
+            quads,
             frame,
-        }
-    }
-
-    #[inline(always)]
-    fn leg_responds(
-        &self,
-        leg: usize,
-        frame: &Matrix3<f64>,
-        rate: &Vector3<f64>,
-        action: &LegAction,
-        pieces: &LegPieces,
-    ) -> LegResponse {
-        let of_leg = &self.legs[leg];
-        let mut strut_damping = Matrix3::zeros();
-        for k in 0..STRUTS {
-            let [_, damping] = of_leg.damping(k, action.rates[k]);
-            let push = action.reaches[k].push;
-            strut_damping -= push * push.transpose() * damping;
-        }
-        // How the loads and the directions of the struts change with the place of the foot.
-        let push_at = |place: &Vector3<f64>| {
-            let reaches = of_leg.struts.at(place);
-            let turning = rate.cross(&(place - action.place));
-            (0..STRUTS).fold(Vector3::zeros(), |push, k| {
-                let [from, to] = [&action.reaches[k], &reaches[k]];
-                let faster = -to.push.dot(&(action.velocity - turning)) - action.rates[k];
-                let [_, damping] = of_leg.damping(k, action.rates[k]);
-                let load = action.loads[k]
-                    + pieces.struts[k].slope() * (to.stroke - from.stroke)
-                    + damping * faster;
-                push + to.push * load
-            })
-        };
-        let columns = [0, 1, 2].map(|axis| {
-            let mut step = Vector3::zeros();
-            step[axis] = DIFFERENCE;
-            (push_at(&(action.place + step)) - action.pull) / DIFFERENCE
-        });
-        let contact = &action.contact;
-        let normal = frame.tr_mul(of_leg.ground.normal());
-        let sliding = frame.tr_mul(&contact.sliding);
-        let along_ground = Matrix3::identity() - normal * normal.transpose();
-        let line = normal + sliding * contact.drag;
-        let stiffness = of_leg.pad_strength * pieces.pad.slope();
-        // Along its direction friction changes with the speed, across it only turns.
-        let turning = contact.normal * contact.drag;
-        let growing = contact.normal * self.friction_change(leg, pieces);
-        let direction = match contact.sliding_squared > 0.0 {
-            true => sliding / libm::sqrt(contact.sliding_squared),
-            false => Vector3::zeros(),
-        };
-        LegResponse {
-            mass: of_leg.mass,
-            carried: carried(&action.place),
-            passing: (action.velocity + rate.cross(&action.place)).cross_matrix(),
-            strut_stiffness: Matrix3::from_columns(&columns),
-            strut_damping,
-            pull: action.pull.cross_matrix(),
-            ground_stiffness: -(line * normal.transpose()) * stiffness,
-            ground_damping: -(along_ground * turning)
-                - direction * direction.transpose() * (growing - turning),
         }
     }
 }
 
-/// Place of a foot at `place` in the body per displacement of the body: translation, then rotation.
-#[inline(always)]
-fn carried(place: &Vector3<f64>) -> Matrix3x6<f64> {
-    let mut carried = Matrix3x6::zeros();
-    carried
-        .fixed_columns_mut::<3>(0)
-        .copy_from(&-Matrix3::identity());
-    (carried.fixed_columns_mut::<3>(3)).copy_from(&place.cross_matrix());
-    carried
+impl Leg<Quad> {
+    #[inline(always)]
+    fn respond(
+        &self,
+        body: &SeenBody<Quad>,
+        action: &LegAction<Quad>,
+        pieces: &LegPieces<Quad>,
+    ) -> LegResponse {
+        let mut damping = [Quad::zero(); STRUTS];
+        let mut strut_damping = Matrix3::zeros();
+        for k in 0..STRUTS {
+            damping[k] = self.damping(k, action.rates[k])[1];
+            let push = &action.reaches[k].push;
+            strut_damping -= outer(&(push * damping[k]), push);
+        }
+        let mut strut_stiffness = Matrix3::zeros();
+        for axis in 0..3 {
+            let mut step = Vector3::zeros();
+            step[axis] = Quad::constant(DIFFERENCE);
+            let push = self.push_after(&step, body, action, pieces, &damping);
+            let column = (push - action.pull) * (Quad::one() / Quad::constant(DIFFERENCE));
+            strut_stiffness.set_column(axis, &column);
+        }
+        let contact = &action.contact;
+        let normal = transposed_times(&body.frame, self.ground.normal());
+        let sliding = transposed_times(&body.frame, &contact.sliding);
+        let along_ground = Matrix3::identity() - outer(&normal, &normal);
+        let line = normal + sliding * contact.drag;
+        let stiffness = self.pad_strength * pieces.pad.slope();
+        // Along its direction friction changes with the speed, across it only turns.
+        let turning = contact.normal * contact.drag;
+        let growing = contact.normal * self.friction * pieces.friction.change();
+        // The floor only keeps 0/0 out.
+        let speed = contact.sliding_squared.max(Quad::constant(1e-30)).sqrt();
+        let direction = sliding * (Quad::one() / speed);
+        LegResponse {
+            mass: self.mass,
+            lever: cross_matrix(&action.place),
+            passing: cross_matrix(&(action.velocity + body.rate.cross(&action.place))),
+            strut_stiffness,
+            strut_damping,
+            pull: cross_matrix(&action.pull),
+            ground_stiffness: outer(&(line * -stiffness), &normal),
+            ground_damping: -(along_ground * turning)
+                - outer(&(direction * (growing - turning)), &direction),
+        }
+    }
+
+    /// Force of the struts on the foot, displaced by a `step` in the body (ft): their loads and directions change with its place.
+    #[inline(always)]
+    fn push_after(
+        &self,
+        step: &Vector3<Quad>,
+        body: &SeenBody<Quad>,
+        action: &LegAction<Quad>,
+        pieces: &LegPieces<Quad>,
+        damping: &[Quad; STRUTS],
+    ) -> Vector3<Quad> {
+        let reaches = self.struts.at(&(action.place + step));
+        let velocity = action.velocity - body.rate.cross(step);
+        let mut pushed = Vector3::zeros();
+        for k in 0..STRUTS {
+            let [from, to] = [&action.reaches[k], &reaches[k]];
+            let faster = -to.push.dot(&velocity) - action.rates[k];
+            let more = pieces.struts[k].slope() * (to.stroke - from.stroke) + damping[k] * faster;
+            pushed += to.push * (action.loads[k] + more);
+        }
+        pushed
+    }
 }
 
 impl Response {
     /// The equations of an implicit stage of weight τ (s), factored.
     #[inline(always)]
     pub fn over(&self, tau: f64) -> StageFactors<'_> {
-        let mut matrix = Matrix6::zeros();
-        (matrix.fixed_view_mut::<3, 3>(0, 0)).copy_from(&(Matrix3::identity() * self.mass));
         // Gyroscopic torque changes with the angular velocity.
-        let turning =
-            (self.inertia * self.rate).cross_matrix() - self.rate.cross_matrix() * self.inertia;
-        (matrix.fixed_view_mut::<3, 3>(3, 3)).copy_from(&(self.inertia - turning * tau));
-        let legs = PerLeg::from_fn(self.legs.len(), |j| {
-            let leg = &self.legs[j];
-            let struts = (leg.strut_damping + leg.strut_stiffness * tau) * tau;
-            let ground = (leg.ground_damping + leg.ground_stiffness * tau) * tau;
-            let own = Matrix3::identity() * leg.mass - struts - ground;
-            // Singular only where a number is not finite; the step is then refused.
-            let inverse = own
-                .try_inverse()
-                .unwrap_or_else(|| Matrix3::repeat(f64::NAN));
-            let squared = tau * tau;
-            let turn = leg.pull * squared;
-            let passing = leg.strut_damping * leg.passing * squared;
-            let mut on_foot = struts * leg.carried;
-            let mut on_body = leg.carried.tr_mul(&struts);
-            let mut turned = on_foot.fixed_columns_mut::<3>(3);
-            turned += passing - turn;
-            let mut moved = on_body.fixed_rows_mut::<3>(3);
-            moved += turn;
-            matrix -= on_body * (leg.carried + inverse * on_foot);
-            let mut turned = matrix.fixed_columns_mut::<3>(3);
-            turned -= leg.carried.tr_mul(&passing);
-            let mut turned = matrix.fixed_view_mut::<3, 3>(0, 3);
-            turned -= turn;
-            Eliminated {
-                inverse,
-                on_body,
-                on_foot,
+        let turning = cross_matrix(&times(&self.inertia, &self.rate))
+            - product(&cross_matrix(&self.rate), &self.inertia);
+        let mut blocks = [
+            [Matrix3::identity() * self.mass, Matrix3::zeros()],
+            [Matrix3::zeros(), self.inertia - turning * tau],
+        ];
+        let mut quads = Quads::new();
+        for (quad, leg) in self.quads.iter().enumerate() {
+            let (eliminated, changes) = leg.eliminate(Quad::constant(tau));
+            let legs = legs_in(quad, self.legs);
+            for row in 0..2 {
+                for column in 0..2 {
+                    blocks[row][column] -= matrix_sum(&changes[row][column], legs);
+                }
             }
-        });
+            quads.push(eliminated);
+        }
+        let matrix =
+            Matrix6::from_fn(|row, column| blocks[row / 3][column / 3][(row % 3, column % 3)]);
         StageFactors {
             response: self,
             tau,
             body: matrix.lu(),
-            legs,
+            quads,
         }
     }
 }
 
-impl StageFactors<'_> {
-    /// Forces on the body and on a foot that given displacements of both make, vehicle axes, lb and ft·lb.
+impl LegResponse {
+    /// Eliminates the feet from the equations of a stage of weight τ. Also returns what that takes from the matrix of the
+    /// body, in blocks of force and torque against velocity and angular velocity.
+    #[inline(always)]
+    fn eliminate(&self, tau: Quad) -> (Eliminated, [[Matrix3<Quad>; 2]; 2]) {
+        let squared = tau * tau;
+        let struts = (self.strut_damping + self.strut_stiffness * tau) * tau;
+        let ground = (self.ground_damping + self.ground_stiffness * tau) * tau;
+        let own = Matrix3::identity() * self.mass - struts - ground;
+        let inverse = inverse(&own);
+        let turn = self.pull * squared;
+        let passing = product(&self.strut_damping, &self.passing) * squared;
+        // A foot moves in the body by −1 per displacement and by the lever per rotation; the transpose of the lever is −lever.
+        let on_foot = [-struts, product(&struts, &self.lever) + passing - turn];
+        let on_body = [-struts, turn - product(&self.lever, &struts)];
+        let moved = [
+            product(&inverse, &on_foot[0]) - Matrix3::identity(),
+            product(&inverse, &on_foot[1]) + self.lever,
+        ];
+        let on_force = [
+            product(&on_body[0], &moved[0]),
+            product(&on_body[0], &moved[1]) + turn - passing,
+        ];
+        let on_torque = [
+            product(&on_body[1], &moved[0]),
+            product(&on_body[1], &moved[1]) - product(&self.lever, &passing),
+        ];
+        let eliminated = Eliminated {
+            inverse,
+            on_body,
+            on_foot,
+        };
+        (eliminated, [on_force, on_torque])
+    }
+
+    /// Force and torque on the body, and force on the foot, that given displacements of foot and body make, vehicle axes, lb and
+    /// ft·lb.
     #[inline(always)]
     fn pushes(
         &self,
-        leg: usize,
-        foot: &Vector3<f64>,
-        body: &Vector6<f64>,
-    ) -> (Vector6<f64>, Vector3<f64>) {
-        let leg = &self.response.legs[leg];
-        let place = foot + leg.carried * body;
-        let turn = body.fixed_rows::<3>(3);
-        let struts = leg.strut_stiffness * place + leg.strut_damping * (leg.passing * turn);
-        let turned = leg.pull * turn;
-        let on_body = leg.carried.tr_mul(&struts) + stacked(&turned, &(leg.pull * place));
-        (on_body, struts - turned + leg.ground_stiffness * foot)
+        foot: &Vector3<Quad>,
+        shift: &Vector3<Quad>,
+        turn: &Vector3<Quad>,
+    ) -> ([Vector3<Quad>; 2], Vector3<Quad>) {
+        let place = foot - shift + times(&self.lever, turn);
+        let struts = times(&self.strut_stiffness, &place)
+            + times(&self.strut_damping, &times(&self.passing, turn));
+        let turned = times(&self.pull, turn);
+        let torque = times(&self.pull, &place) - times(&self.lever, &struts);
+        let on_foot = struts - turned + times(&self.ground_stiffness, foot);
+        ([turned - struts, torque], on_foot)
     }
 }
 
@@ -232,37 +260,47 @@ impl StageEquations<f64, State> for StageFactors<'_> {
         let (tau, response) = (self.tau, self.response);
         let frame = &response.frame;
         let given = r.body();
-        let turn = turn(&response.quaternion, &given.quaternion);
-        let known = stacked(&frame.tr_mul(&given.position), &turn) * tau;
-        let push = frame.tr_mul(&given.velocity) * response.mass;
-        let mut right = stacked(&push, &(response.inertia * given.rate));
-        let legs = response.legs.len();
-        let rights = PerLeg::from_fn(legs, |j| {
-            let (leg, foot, eliminated) = (&response.legs[j], r.foot(j), &self.legs[j]);
-            let place = frame.tr_mul(&foot.position) * tau;
-            let (on_body, on_foot) = self.pushes(j, &place, &known);
-            let own = frame.tr_mul(&foot.velocity) * leg.mass + on_foot;
-            right += on_body + eliminated.on_body * (eliminated.inverse * own);
-            own
-        });
-        right *= tau;
+        let in_quads = |v: &Vector3<f64>| v.map(Quad::constant);
+        let wide_tau = Quad::constant(tau);
+        let wide_frame = frame.map(Quad::constant);
+        let shift = in_quads(&(transposed_times(frame, &given.position) * tau));
+        let turn = in_quads(&(turn(&response.quaternion, &given.quaternion) * tau));
+        let mut force = transposed_times(frame, &given.velocity) * response.mass;
+        let mut torque = times(&response.inertia, &given.rate);
+        let mut rights = Quads::<Vector3<Quad>>::new();
+        for (quad, eliminated) in self.quads.iter().enumerate() {
+            let (leg, feet) = (&response.quads[quad], r.feet(quad));
+            let place = transposed_times(&wide_frame, &feet.position) * wide_tau;
+            let ([push, twist], on_foot) = leg.pushes(&place, &shift, &turn);
+            let own = transposed_times(&wide_frame, &feet.velocity) * leg.mass + on_foot;
+            let moved = times(&eliminated.inverse, &own);
+            let [on_force, on_torque] = &eliminated.on_body;
+            let legs = legs_in(quad, response.legs);
+            force += vector_sum(&(push + times(on_force, &moved)), legs);
+            torque += vector_sum(&(twist + times(on_torque, &moved)), legs);
+            rights.push(own);
+        }
+        let right = Vector6::new(force.x, force.y, force.z, torque.x, torque.y, torque.z) * tau;
         let body = (self.body.solve(&right)).unwrap_or_else(|| Vector6::repeat(f64::NAN));
-        let velocity = frame * body.fixed_rows::<3>(0);
-        let rate = body.fixed_rows::<3>(3).into_owned();
+        let local = Vector3::new(body[0], body[1], body[2]);
+        let rate = Vector3::new(body[3], body[4], body[5]);
+        let velocity = times(frame, &local);
         u.set_body(&Body {
             position: (given.position + velocity) * tau,
             velocity,
             quaternion: (given.quaternion + quaternion_rate(&response.quaternion, &rate)) * tau,
             rate,
         });
-        for j in 0..legs {
-            let eliminated = &self.legs[j];
-            let right = rights[j] * tau + eliminated.on_foot * body;
-            let velocity = frame * (eliminated.inverse * right);
-            u.set_foot(
-                j,
+        let (local, rate) = (in_quads(&local), in_quads(&rate));
+        for (quad, eliminated) in self.quads.iter().enumerate() {
+            let [by_velocity, by_rate] = &eliminated.on_foot;
+            let right =
+                rights[quad] * wide_tau + times(by_velocity, &local) + times(by_rate, &rate);
+            let velocity = times(&wide_frame, &times(&eliminated.inverse, &right));
+            u.set_feet(
+                quad,
                 &FootState {
-                    position: (r.foot(j).position + velocity) * tau,
+                    position: (r.feet(quad).position + velocity) * wide_tau,
                     velocity,
                 },
             );
@@ -282,11 +320,6 @@ impl StageEquations<f64, State> for StageFactors<'_> {
     }
 }
 
-#[inline(always)]
-fn stacked(first: &Vector3<f64>, second: &Vector3<f64>) -> Vector6<f64> {
-    Vector6::new(first.x, first.y, first.z, second.x, second.y, second.z)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -295,6 +328,7 @@ mod tests {
     use crate::integrator::step::StateVector;
     use crate::laws::three_struts::{INTERFERENCE, LegLaws, LegMode};
     use crate::parts::Inertia;
+    use crate::per_leg::PerLeg;
     use crate::profile::Profile;
     use crate::scene::{Conditions, Scene};
     use crate::three_strut_leg::ThreeStrutLeg;
@@ -384,21 +418,25 @@ mod tests {
                 rate: Vector3::new(0.02, -0.03, 0.01),
             });
             // Feet pressed into the ground, in the elastic range of their footpads, and sliding.
-            let untouched = PerLeg::from_fn(3, |j| LegMode::untouched(&laws[j]).pieces(&laws[j]));
+            let pieces_of = |modes: &PerLeg<LegMode>| {
+                Pieces::new(PerLeg::from_fn(3, |j| modes[j].pieces(&laws[j])))
+            };
+            let mut modes = PerLeg::from_fn(3, |j| LegMode::untouched(&laws[j]));
+            let untouched = pieces_of(&modes);
             let signals = motion.signals(&state, &untouched);
-            for (j, signals) in signals.iter().take(3).enumerate() {
+            for j in 0..3 {
                 let mut foot = state.foot(j);
-                let up = signals[INTERFERENCE] - 0.05;
+                let up = signals.of(j, INTERFERENCE) - 0.05;
                 foot.position -= motion.ground_normal(j) * up;
                 foot.velocity += Vector3::new(0.3, 0.1, -0.2);
                 state.set_foot(j, &foot);
             }
-            let pieces = PerLeg::from_fn(3, |j| {
-                let mut mode = LegMode::untouched(&laws[j]);
-                let signals = &motion.signals(&state, &untouched)[j];
-                (mode.cross(&laws[j], j, INTERFERENCE, Exit::Above, signals)).unwrap();
-                mode.pieces(&laws[j])
-            });
+            let signals = motion.signals(&state, &untouched);
+            for (j, mode) in modes.iter_mut().enumerate() {
+                let signals = signals.leg(j);
+                (mode.cross(&laws[j], j, INTERFERENCE, Exit::Above, &signals)).unwrap();
+            }
+            let pieces = pieces_of(&modes);
             let derive = |state: &State| {
                 let mut slope = State::zero(3);
                 motion.derive(0.0, state, &pieces, &mut slope);

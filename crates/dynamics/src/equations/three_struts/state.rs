@@ -3,41 +3,45 @@
 use nalgebra::{Vector3, Vector4};
 
 use crate::integrator::step::StateVector;
-use crate::per_leg::MOST_LEGS;
+use crate::lanes::{Lanes, per_lane};
+use crate::quads::{LANES, QUADS, Quad, leg_in, quads};
 use crate::state::Body;
 
-/// Numbers of the body.
-const BODY: usize = 13;
-/// Numbers of a foot's motion.
-const FOOT: usize = 6;
+/// Room for the numbers of the body, of which there are 13.
+const BODY: usize = 16;
+/// Numbers of the motion of a group of feet.
+const FEET: usize = 6 * LANES;
 /// Works on a leg: struts, crush of the footpad, its friction.
 pub const WORKS: usize = 3;
 /// Error of Simpson's rule as a share of its difference from the midpoint rule ([`crate::state`]).
 const SIMPSON_SHARE: f64 = 0.1;
 
-/// State of a vehicle, or its time derivative.
+/// State of a vehicle, or its time derivative. Feet and works are in groups of four, number by number.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(32))]
 pub struct State {
-    motion: [f64; BODY + FOOT * MOST_LEGS],
-    works: [f64; WORKS * MOST_LEGS],
+    motion: [f64; BODY + FEET * QUADS],
+    works: [f64; WORKS * LANES * QUADS],
     legs: usize,
 }
 
-/// One foot.
+/// One foot, or a group of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FootState {
+pub struct FootState<S> {
     /// Position in ground axes, ft.
-    pub position: Vector3<f64>,
+    pub position: Vector3<S>,
     /// Velocity in ground axes, ft/s.
-    pub velocity: Vector3<f64>,
+    pub velocity: Vector3<S>,
 }
+
+per_lane!(FootState { position, velocity });
 
 impl State {
     /// A zero state with this many legs.
     pub fn zero(legs: usize) -> Self {
         Self {
-            motion: [0.0; BODY + FOOT * MOST_LEGS],
-            works: [0.0; WORKS * MOST_LEGS],
+            motion: [0.0; BODY + FEET * QUADS],
+            works: [0.0; WORKS * LANES * QUADS],
             legs,
         }
     }
@@ -64,32 +68,69 @@ impl State {
     }
 
     /// The foot of leg `leg`.
-    #[inline(always)]
-    pub fn foot(&self, leg: usize) -> FootState {
-        let f = &self.motion[BODY + FOOT * leg..][..FOOT];
+    pub fn foot(&self, leg: usize) -> FootState<f64> {
+        let (feet, lane) = (&self.motion[BODY + FEET * (leg / LANES)..], leg % LANES);
+        let of = |k: usize| feet[LANES * k + lane];
         FootState {
-            position: Vector3::new(f[0], f[1], f[2]),
-            velocity: Vector3::new(f[3], f[4], f[5]),
+            position: Vector3::new(of(0), of(1), of(2)),
+            velocity: Vector3::new(of(3), of(4), of(5)),
         }
     }
 
     /// Writes the foot of leg `leg`.
+    pub fn set_foot(&mut self, leg: usize, foot: &FootState<f64>) {
+        for quad in 0..quads(self.legs) {
+            for lane in 0..LANES {
+                if leg_in(quad, lane, self.legs) == leg {
+                    let feet = &mut self.motion[BODY + FEET * quad..];
+                    let numbers = foot.position.iter().chain(&foot.velocity);
+                    for (k, number) in numbers.enumerate() {
+                        feet[LANES * k + lane] = *number;
+                    }
+                }
+            }
+        }
+    }
+
+    /// The feet of a group of legs.
     #[inline(always)]
-    pub fn set_foot(&mut self, leg: usize, foot: &FootState) {
-        let f = &mut self.motion[BODY + FOOT * leg..][..FOOT];
-        f[..3].copy_from_slice(foot.position.as_slice());
-        f[3..].copy_from_slice(foot.velocity.as_slice());
+    pub fn feet(&self, quad: usize) -> FootState<Quad> {
+        let feet = self.motion[BODY + FEET * quad..][..FEET].as_chunks().0;
+        let of = |k: usize| Lanes(feet[k]);
+        FootState {
+            position: Vector3::new(of(0), of(1), of(2)),
+            velocity: Vector3::new(of(3), of(4), of(5)),
+        }
+    }
+
+    /// Writes the feet of a group of legs.
+    #[inline(always)]
+    pub fn set_feet(&mut self, quad: usize, feet: &FootState<Quad>) {
+        let room = self.motion[BODY + FEET * quad..][..FEET].as_chunks_mut().0;
+        let (position, velocity) = (&feet.position, &feet.velocity);
+        let numbers = [
+            position.x, position.y, position.z, velocity.x, velocity.y, velocity.z,
+        ];
+        for (place, number) in room.iter_mut().zip(numbers) {
+            *place = number.0;
+        }
     }
 
     /// Work done on leg `leg` since first contact, ft·lb: on its struts, on its footpad by crushing and by sliding.
     pub fn works(&self, leg: usize) -> [f64; WORKS] {
-        std::array::from_fn(|k| self.works[WORKS * leg + k])
+        let works = &self.works[WORKS * LANES * (leg / LANES)..];
+        std::array::from_fn(|k| works[LANES * k + leg % LANES])
     }
 
-    /// Writes the work done on leg `leg`, ft·lb, or its rate.
+    /// Writes the work done on a group of legs, ft·lb, or its rate.
     #[inline(always)]
-    pub fn set_works(&mut self, leg: usize, works: [f64; WORKS]) {
-        self.works[WORKS * leg..][..WORKS].copy_from_slice(&works);
+    pub fn set_works(&mut self, quad: usize, works: [Quad; WORKS]) {
+        let room = self.works[WORKS * LANES * quad..][..WORKS * LANES]
+            .as_chunks_mut()
+            .0;
+        for (place, work) in room.iter_mut().zip(works) {
+            *place = work.0;
+        }
     }
 
     /// Returns whether every number is finite.
@@ -108,7 +149,7 @@ impl State {
         error: &mut Self,
     ) {
         let [first, middle, last] = slopes.map(|slope| &slope.works);
-        for i in 0..WORKS * self.legs {
+        for i in 0..self.work_numbers() {
             let ends = first[i] + last[i];
             self.works[i] = before.works[i] + h * (ends + 4.0 * middle[i]) / 6.0;
             error.works[i] = SIMPSON_SHARE * (ends - 2.0 * middle[i]) / 6.0;
@@ -117,7 +158,12 @@ impl State {
 
     #[inline(always)]
     fn motion_numbers(&self) -> usize {
-        BODY + FOOT * self.legs
+        BODY + FEET * quads(self.legs)
+    }
+
+    #[inline(always)]
+    fn work_numbers(&self) -> usize {
+        WORKS * LANES * quads(self.legs)
     }
 }
 
@@ -130,7 +176,7 @@ impl StateVector<f64> for State {
         result: &mut Self,
     ) {
         self.advance_motion(weights, slopes, result);
-        for i in 0..WORKS * self.legs {
+        for i in 0..self.work_numbers() {
             let change = (0..TERMS).map(|k| weights[k] * slopes[k].works[i]);
             result.works[i] = self.works[i] + change.sum::<f64>();
         }
@@ -162,7 +208,7 @@ impl StateVector<f64> for State {
         for i in 0..self.motion_numbers() {
             self.motion[i] = (end.motion[i] - start.motion[i]) / length;
         }
-        for i in 0..WORKS * self.legs {
+        for i in 0..self.work_numbers() {
             self.works[i] = (end.works[i] - start.works[i]) / length;
         }
     }
@@ -192,7 +238,7 @@ impl StateVector<f64> for State {
             all += error;
         }
         let mut work: f64 = 0.0;
-        for i in 0..WORKS * before.legs {
+        for i in 0..before.work_numbers() {
             let error: f64 = (0..TERMS).map(|k| weights[k] * slopes[k].works[i]).sum();
             work = work.max(error.abs());
         }
@@ -205,7 +251,18 @@ impl State {
     /// The state that is one in a number of its motion and zero elsewhere.
     pub(super) fn unit(legs: usize, number: usize) -> Self {
         let mut state = Self::zero(legs);
-        state.motion[number] = 1.0;
+        match number.checked_sub(13) {
+            None => state.motion[number] = 1.0,
+            Some(number) => {
+                let (leg, number) = (number / 6, number % 6);
+                let of = |first: usize| Vector3::from_fn(|k, _| f64::from(first + k == number));
+                let foot = FootState {
+                    position: of(0),
+                    velocity: of(3),
+                };
+                state.set_foot(leg, &foot);
+            }
+        }
         state
     }
 

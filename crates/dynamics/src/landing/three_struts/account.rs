@@ -82,16 +82,16 @@ impl Simulation<'_> {
             potential_change: self.motion.released(&self.start, state),
             thrust_work: has_thrust.then_some(thrust_work),
             legs: PerLeg::from_fn(self.leg_count(), |j| {
-                let forces = self.motion.forces(j, state, &self.pieces);
-                let (set, sinkage) = self.modes[j].pad_set(&self.laws[j], &signals[j]);
+                let forces = self.motion.forces(j, &signals, &self.pieces);
+                let (set, sinkage) = self.modes[j].pad_set(&self.laws[j], &signals.leg(j));
                 let [_, left, right] = forces.struts;
                 LegInstant {
                     posture: LegPosture::ThreeStrut(ThreeStrutPosture {
                         foot: frame.tr_mul(&(state.foot(j).position - body.position)),
-                        secondary_strokes: [1, 2].map(|k| signals[j][STROKES.start + k]),
+                        secondary_strokes: [1, 2].map(|k| signals.of(j, STROKES.start + k)),
                         secondary_forces: [left, right],
                     }),
-                    stroke: signals[j][STROKES.start],
+                    stroke: signals.of(j, STROKES.start),
                     strut_force: forces.struts[0],
                     pad_normal: forces.normal,
                     pad_friction: forces.friction,
@@ -115,7 +115,7 @@ impl Simulation<'_> {
         let legs = self.leg_count();
         let signals = &self.signals[0];
         let pads = PerLeg::from_fn(legs, |j| {
-            self.modes[j].pad_depths(&self.laws[j], &signals[j])
+            self.modes[j].pad_depths(&self.laws[j], &signals.leg(j))
         });
         let down = rotation(&state.body().quaternion).column(2).into_owned();
         Landing {
@@ -133,13 +133,13 @@ impl Simulation<'_> {
                 legs: PerLeg::from_fn(legs, |j| work(state, j)),
                 final_kinetic: self.motion.kinetic(state),
             },
-            max_strut_force: self.extremes.force,
-            max_stroke: self.extremes.strokes.map(|[shorter, _]| -shorter[0]),
+            max_strut_force: PerLeg::from_fn(legs, |j| self.extremes.force(j)),
+            max_stroke: PerLeg::from_fn(legs, |j| self.extremes.strokes(j, 0)[0]),
             max_stroke_share: PerLeg::from_fn(legs, |j| {
-                let [shorter, longer] = self.extremes.strokes[j];
-                let share = |k: usize, stroke| self.laws[j].stroke_share(k, stroke);
                 (0..STRUTS).fold(0.0, |most: f64, k| {
-                    most.max(share(k, -shorter[k])).max(share(k, longer[k]))
+                    let [shorter, longer] = self.extremes.strokes(j, k);
+                    let share = |stroke| self.laws[j].stroke_share(k, stroke);
+                    most.max(share(shorter)).max(share(-longer))
                 })
             }),
             max_stroke_table_share: PerLeg::same(legs, 0.0),
@@ -166,7 +166,7 @@ impl Simulation<'_> {
         let angle = |state: &State| Hull::of(&self.motion.feet(state)).stability_angle();
         let rates = |state: &State| {
             let signals = self.motion.signals(state, &self.pieces);
-            PerLeg::from_fn(self.leg_count(), |j| signals[j][STROKE_RATES.start])
+            PerLeg::from_fn(self.leg_count(), |j| signals.of(j, STROKE_RATES.start))
         };
         let [before, after] = [-SPAN, SPAN].map(|span| rates(&moved(span)));
         FinalRates {

@@ -1,11 +1,19 @@
 //! Extremes of a landing so far.
 
+use num_traits::Zero;
+
 use crate::integrator::parabola::Parabola;
-use crate::laws::three_struts::STRUTS;
-use crate::per_leg::PerLeg;
+use crate::laws::three_struts::{LOAD, STROKES, STRUTS};
+use crate::quads::{LANES, QUADS, Quad};
 
 /// Parabolas fitted to find an extreme between the nodes of a step.
 const REFINEMENTS: usize = 4;
+
+/// Signals of struts whose extremes are noted: the strokes, and the load of the primary strut.
+pub(super) const TRACKED: [usize; STRUTS + 1] =
+    [STROKES.start, STROKES.start + 1, STROKES.start + 2, LOAD];
+/// Signs under which their least values are sought.
+pub(super) const SIGNS: [f64; 2] = [1.0, -1.0];
 
 /// Extremes so far.
 pub(super) struct Extremes {
@@ -13,10 +21,8 @@ pub(super) struct Extremes {
     pub(super) angle: (f64, f64),
     /// Least height of the hardpoints over the surface, ft.
     pub(super) clearance: f64,
-    /// Greatest magnitude of the load of each leg's primary strut, lb.
-    pub(super) force: PerLeg<f64>,
-    /// Least negative strokes and least strokes of the struts of each leg, ft: how far they were shortened and lengthened.
-    pub(super) strokes: PerLeg<[[f64; STRUTS]; 2]>,
+    /// Least values of the [`TRACKED`] signals of the struts, and of their negatives, for groups of legs.
+    pub(super) struts: [[[Quad; 2]; STRUTS + 1]; QUADS],
 }
 
 /// What decides stability, at one instant.
@@ -37,13 +43,29 @@ impl Seen {
 }
 
 impl Extremes {
-    pub(super) fn none(legs: usize) -> Self {
+    pub(super) fn none() -> Self {
         Self {
             angle: (f64::INFINITY, 0.0),
             clearance: f64::INFINITY,
-            force: PerLeg::same(legs, 0.0),
-            strokes: PerLeg::same(legs, [[0.0; STRUTS]; 2]),
+            struts: [[[Quad::zero(); 2]; STRUTS + 1]; QUADS],
         }
+    }
+
+    /// Least value of a tracked signal of a leg, and of its negative.
+    pub(super) fn strut(&self, leg: usize, place: usize) -> [f64; 2] {
+        self.struts[leg / LANES][place].map(|least| least.0[leg % LANES])
+    }
+
+    /// Greatest magnitude of the load of a leg's primary strut, lb.
+    pub(super) fn force(&self, leg: usize) -> f64 {
+        let [pull, push] = self.strut(leg, STRUTS);
+        -pull.min(push)
+    }
+
+    /// How far a strut of a leg was shortened and lengthened, ft.
+    pub(super) fn strokes(&self, leg: usize, strut: usize) -> [f64; 2] {
+        let [longer, shorter] = self.strut(leg, strut);
+        [-shorter, -longer]
     }
 
     pub(super) fn note_angle(&mut self, seen: Seen, time: f64) {

@@ -1,10 +1,14 @@
 //! Extremes within steps as at their ends.
 
-use super::extremes::{Seen, close_in};
+use arrayvec::ArrayVec;
+use num_traits::Zero;
+
+use super::extremes::{SIGNS, Seen, TRACKED, close_in};
 use super::simulation::Simulation;
 use crate::equations::three_struts::{Signals, State};
 use crate::landing::hull::Hull;
-use crate::laws::three_struts::{LOAD, STROKES};
+use crate::quads::{LANES, Quad, legs_in, quads};
+use crate::scalar::Real;
 
 impl Simulation<'_> {
     /// Stability and clearance at a state.
@@ -24,8 +28,12 @@ impl Simulation<'_> {
     /// Notes the extremes over the step up to fraction `reach`, where the signals are these. Returns what is seen there.
     pub(super) fn note_extremes(&mut self, reach: f64, at_end: &Signals) -> Seen {
         let thetas = [0.0, 0.5 * reach, reach];
-        let [middle, end] = [thetas[1], thetas[2]].map(|theta| self.state_at(theta));
-        let seen = [self.seen, self.look(&middle), self.look(&end)];
+        let middle = self.state_at(thetas[1]);
+        let end = match reach == 1.0 {
+            true => self.look(&self.step.after),
+            false => self.look(&self.state_at(reach)),
+        };
+        let seen = [self.seen, self.look(&middle), end];
         // The least σ is that up to the verdict.
         for (theta, seen) in thetas.into_iter().zip(seen).skip(1) {
             let time = self.time_at(theta);
@@ -48,39 +56,51 @@ impl Simulation<'_> {
             true => self.signals[1],
             false => self.motion.signals(&middle, &self.pieces),
         };
-        for leg in 0..self.leg_count() {
-            self.note_struts(leg, thetas, [&at_middle, at_end]);
-        }
+        self.note_struts(thetas, &at_middle, at_end);
         seen[2]
     }
 
-    /// Notes the struts of a leg at three fractions of the step, and extremes between. The signals at the first are those at
-    /// its start.
-    fn note_struts(&mut self, leg: usize, thetas: [f64; 3], [middle, end]: [&Signals; 2]) {
-        let nodes = [&self.signals[0], middle, end];
-        // Extremes are sought as least values.
-        let least = |signal: usize, sign: f64, known: f64| {
-            let values = [0, 1, 2].map(|k| (thetas[k], sign * nodes[k][leg][signal]));
-            let known = values
-                .iter()
-                .fold(known, |least, (_, value)| least.min(*value));
-            let within = close_in(values, known, |theta| {
-                let signals = self.motion.signals(&self.state_at(theta), &self.pieces);
-                sign * signals[leg][signal]
-            });
-            within.map_or(known, |(_, value)| value)
-        };
-        let force = -self.extremes.force[leg];
-        let force = least(LOAD, -1.0, force).min(least(LOAD, 1.0, force));
-        let [shortest, longest] = &self.extremes.strokes[leg];
-        let strokes = [0, 1, 2].map(|k| {
-            let signal = STROKES.start + k;
-            [
-                least(signal, -1.0, shortest[k]),
-                least(signal, 1.0, longest[k]),
-            ]
+    /// Notes the struts at three fractions of the step, and extremes between. The signals at the first are those at its start.
+    fn note_struts(&mut self, thetas: [f64; 3], middle: &Signals, end: &Signals) {
+        let nodes = [self.signals[0], *middle, *end];
+        for quad in 0..quads(self.leg_count()) {
+            for (place, signal) in TRACKED.into_iter().enumerate() {
+                let [first, second, third] = [0, 1, 2].map(|k| nodes[k].quad(quad)[signal]);
+                for (way, sign) in SIGNS.into_iter().enumerate() {
+                    let sign = Quad::constant(sign);
+                    let least = -(-first * sign).max(-second * sign).max(-third * sign);
+                    // The parabola through the nodes goes no farther below the lowest of them.
+                    let bend = (first - second + third - second) * sign;
+                    let bound = least - bend.max(Quad::zero()) * Quad::constant(0.125);
+                    let known = &self.extremes.struts[quad][place][way];
+                    let passes = |lane: &usize| bound.0[*lane] < known.0[*lane];
+                    let lanes = (0..legs_in(quad, self.leg_count())).filter(passes);
+                    for lane in lanes.collect::<ArrayVec<usize, LANES>>() {
+                        self.note_strut(LANES * quad + lane, [place, way], thetas, &nodes);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Notes one of the tracked signals of a leg, one way.
+    #[cold]
+    fn note_strut(
+        &mut self,
+        leg: usize,
+        [place, way]: [usize; 2],
+        thetas: [f64; 3],
+        nodes: &[Signals; 3],
+    ) {
+        let (signal, sign) = (TRACKED[place], SIGNS[way]);
+        let values = [0, 1, 2].map(|k| (thetas[k], sign * nodes[k].of(leg, signal)));
+        let known = self.extremes.strut(leg, place)[way];
+        let known = (values.iter()).fold(known, |least, (_, value)| least.min(*value));
+        let within = close_in(values, known, |theta| {
+            let signals = self.motion.signals(&self.state_at(theta), &self.pieces);
+            sign * signals.of(leg, signal)
         });
-        self.extremes.force[leg] = -force;
-        self.extremes.strokes[leg] = [0, 1].map(|way| strokes.map(|strut| strut[way]));
+        let least = within.map_or(known, |(_, value)| value);
+        self.extremes.struts[leg / LANES][place][way].0[leg % LANES] = least;
     }
 }

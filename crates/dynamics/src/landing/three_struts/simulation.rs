@@ -1,13 +1,10 @@
 //! A landing followed from step to step until its outcome.
 
 use arrayvec::ArrayVec;
-use pulp::NullaryFnOnce;
 
 use super::extremes::{Extremes, Seen};
-use crate::equations::three_struts::{Motion, Signals, State};
-use crate::integrator::dormand_prince;
+use crate::equations::three_struts::{Motion, Pieces, Signals, State};
 use crate::integrator::event::{Guard, Sample, first_exit};
-use crate::integrator::rosenbrock::{self, GAMMA, TIMES};
 use crate::integrator::step::Step;
 use crate::integrator::step_control::{LONGEST, SHORTEST, StepControl};
 use crate::landing::UnderWay;
@@ -20,40 +17,37 @@ use crate::landing::steadiness::Steadiness;
 use crate::landing::toppling::Toppling;
 use crate::landing::touchdown::body_at_touchdown;
 use crate::landing::trajectory::{event_resolution, work_error};
-use crate::laws::three_struts::{LegLaws, LegMode, LegPieces, SIGNALS};
+use crate::laws::three_struts::{LegLaws, LegMode, SIGNALS};
 use crate::outcome::{Class, Failure, Outcome};
 use crate::per_leg::{MOST_LEGS, PerLeg};
-use crate::registers::{Registers, Single};
+use crate::registers::Single;
 use crate::rules::RestRule;
 use crate::scene::{Scene, Settings};
 use crate::three_strut_leg::ThreeStrutLeg;
 use crate::thrust::ThrustLine;
 use crate::vehicle::Vehicle;
 
-/// Rate of decay and angular frequency of the fastest motion of a foot, times the length of a step, from which on the step is
-/// implicit: an explicit one would be near its limit of stability.
-const STIFF: [f64; 2] = [3.0, 1.6];
 /// Most signals with ranges.
 const MOST_SIGNALS: usize = SIGNALS * MOST_LEGS;
 
 /// A landing under way.
 pub(in crate::landing) struct Simulation<'o> {
-    registers: Single,
+    pub(super) registers: Single,
     pub(super) scene: Scene,
     pub(super) settings: Settings,
     pub(super) motion: Motion,
     pub(super) laws: ArrayVec<LegLaws, MOST_LEGS>,
     pub(super) modes: PerLeg<LegMode>,
-    pub(super) pieces: PerLeg<LegPieces>,
+    pub(super) pieces: Pieces,
     guards: ArrayVec<Guard, MOST_SIGNALS>,
     /// Time resolution of events, s.
     resolution: f64,
     /// Work error allowed per step, ft·lb.
-    work_error: f64,
+    pub(super) work_error: f64,
     pub(super) time: f64,
     /// The start of this step is the present state and its derivative.
     pub(super) step: Step<f64, State>,
-    stages: [State; 6],
+    pub(super) stages: [State; 6],
     /// Signals at the start, in the middle and at the end of the step.
     pub(super) signals: [Signals; 3],
     /// Signals at the points of the step between which an event was located.
@@ -103,15 +97,15 @@ impl<'o> Simulation<'o> {
             registers: Single::fastest(),
             scene: *scene,
             settings: *settings,
-            pieces: PerLeg::from_fn(legs.len(), |j| modes[j].pieces(&laws[j])),
+            pieces: pieces_of(&modes, &laws),
             guards: ArrayVec::new(),
             resolution: event_resolution(settings),
             work_error: work_error(settings, energy),
             time: 0.0,
             step: Step::from(state, State::zero(legs.len())),
             stages: [State::zero(legs.len()); 6],
-            signals: [[[0.0; SIGNALS]; MOST_LEGS]; 3],
-            buffers: [[[0.0; SIGNALS]; MOST_LEGS]; 3],
+            signals: [Signals::NONE; 3],
+            buffers: [Signals::NONE; 3],
             thrust: ThrustLine::none(),
             next_knot: if conditions.thrust.is_none() {
                 f64::INFINITY
@@ -124,7 +118,7 @@ impl<'o> Simulation<'o> {
             steadiness: Steadiness::new(vehicle, scene, RestRule::Energy),
             rest: Rest::new(vehicle, scene),
             seen: Seen::NOTHING,
-            extremes: Extremes::none(legs.len()),
+            extremes: Extremes::none(),
             toppling: Toppling::new(vehicle, scene),
             noted: None,
             pad_contact: PerLeg::same(legs.len(), None),
@@ -198,7 +192,7 @@ impl<'o> Simulation<'o> {
         let mut last = None;
         for guard in &self.guards {
             let leg = guard.signal / SIGNALS;
-            let signals = &self.signals[0][leg];
+            let signals = &self.signals[0].leg(leg);
             let index = guard.signal % SIGNALS;
             // The ranges of a leg's other signals change with it.
             let Some(exit) = guard
@@ -211,86 +205,11 @@ impl<'o> Simulation<'o> {
             (last, crossed) = (Some(leg), true);
             self.events += 1;
             self.modes[leg].cross(&self.laws[leg], leg, index, exit, signals)?;
-            self.pieces[leg] = self.modes[leg].pieces(&self.laws[leg]);
+        }
+        if crossed {
+            self.pieces = pieces_of(&self.modes, &self.laws);
         }
         Ok(crossed)
-    }
-
-    /// Attempts a step of this length (s). Returns its error in units of the tolerance.
-    fn attempt(&mut self, length: f64) -> f64 {
-        let registers = self.registers;
-        registers.dispatch(Attempt(self, length))
-    }
-
-    /// Body of `attempt`, compiled for any registers.
-    #[inline(always)]
-    fn attempt_in_registers(&mut self, length: f64) -> f64 {
-        let fastest = self.motion.fastest(&self.signals[0], &self.pieces);
-        match (0..2).any(|k| length * fastest[k] > STIFF[k]) {
-            true => self.take_implicit(length),
-            false => self.take_explicit(length),
-        }
-        let [motion, work] = self.step.error();
-        if motion.is_nan() {
-            return f64::INFINITY;
-        }
-        (motion / self.settings.tolerance()).max(work / self.work_error)
-    }
-
-    #[inline(always)]
-    fn take_explicit(&mut self, length: f64) {
-        let Self {
-            motion,
-            pieces,
-            step,
-            stages: [at_half, ..],
-            signals: [_, at_middle, at_end],
-            thrust,
-            ..
-        } = self;
-        let thrust_at = |fraction: f64| thrust.at(self.time + fraction * length);
-        step.take_explicit(
-            length,
-            |fraction, state, slope| motion.derive(thrust_at(fraction), state, pieces, slope),
-            |state, slope| motion.evaluate(thrust_at(1.0), state, pieces, slope, at_end),
-        );
-        step.motion_at(0.5, at_half);
-        *at_middle = motion.signals(at_half, pieces);
-        self.evaluations += dormand_prince::EVALUATIONS + 1;
-    }
-
-    #[inline(always)]
-    fn take_implicit(&mut self, length: f64) {
-        let Self {
-            motion,
-            pieces,
-            step,
-            stages,
-            signals,
-            thrust,
-            ..
-        } = self;
-        let response = motion.respond(&step.before, pieces);
-        let equations = response.over(GAMMA * length);
-        let thrust_at = |fraction: f64| thrust.at(self.time + fraction * length);
-        let [_, at_middle, at_end] = signals;
-        let mut unread = *at_end;
-        let start = (!thrust.is_none()).then(|| {
-            let mut start = step.slopes[0];
-            let thrust = thrust_at(TIMES[0]);
-            motion.evaluate(thrust, &step.before, pieces, &mut start, &mut unread);
-            start
-        });
-        step.take_implicit(
-            length,
-            &equations,
-            stages,
-            start.as_ref(),
-            |fraction, state, slope| motion.derive(thrust_at(fraction), state, pieces, slope),
-            |state, slope| motion.evaluate(thrust_at(0.5), state, pieces, slope, at_middle),
-            |state, slope| motion.evaluate(thrust_at(1.0), state, pieces, slope, at_end),
-        );
-        self.evaluations += rosenbrock::EVALUATIONS + u64::from(start.is_some());
     }
 
     /// Finds the first fraction of the step at which a law changes its active piece, and the one of the `buffers` with the
@@ -300,12 +219,12 @@ impl<'o> Simulation<'o> {
             motion,
             pieces,
             step,
+            stages: [state, ..],
             signals: [start, middle, end],
             ..
         } = self;
         let sample = |theta, signals| Sample { theta, signals };
         let mut looks = 0;
-        let mut state = step.before;
         let found = first_exit(
             [
                 sample(0.0, &*start),
@@ -317,8 +236,8 @@ impl<'o> Simulation<'o> {
             &mut self.buffers,
             |theta, signals| {
                 looks += 1;
-                step.motion_at(theta, &mut state);
-                *signals = motion.signals(&state, pieces);
+                step.motion_at(theta, state);
+                *signals = motion.signals(state, pieces);
             },
         );
         self.evaluations += looks;
@@ -479,15 +398,7 @@ impl UnderWay for Simulation<'_> {
     }
 }
 
-/// Attempt of a step, compiled for the registers of a single landing.
-struct Attempt<'a, 'o>(&'a mut Simulation<'o>, f64);
-
-impl NullaryFnOnce for Attempt<'_, '_> {
-    type Output = f64;
-
-    #[inline(always)]
-    fn call(self) -> f64 {
-        let Self(simulation, length) = self;
-        simulation.attempt_in_registers(length)
-    }
+/// The active pieces in these modes.
+fn pieces_of(modes: &PerLeg<LegMode>, laws: &[LegLaws]) -> Pieces {
+    Pieces::new(PerLeg::from_fn(modes.len(), |j| modes[j].pieces(&laws[j])))
 }

@@ -46,7 +46,7 @@ impl Standing for Simulation<'_> {
         let feet = self.motion.feet(&self.step.before);
         let mut supports = ArrayVec::new();
         for (leg, foot) in feet.iter().enumerate() {
-            let gap = self.modes[leg].pad_gap(&self.laws[leg], &self.signals[0][leg]);
+            let gap = self.modes[leg].pad_gap(&self.laws[leg], &self.signals[0].leg(leg));
             let normal = self.motion.ground_normal(leg);
             supports.extend(pull.support(leg, true, foot, normal, gap));
         }
@@ -54,14 +54,14 @@ impl Standing for Simulation<'_> {
     }
 
     fn sticks(&self, support: &Support) -> bool {
-        let speed_squared = self.signals[0][support.leg][SLIDING];
+        let speed_squared = self.signals[0].of(support.leg, SLIDING);
         support.fall > 0.0 || self.laws[support.leg].is_viscous(speed_squared)
     }
 
     fn bears(&self, support: &Support, load: f64, creep: f64) -> bool {
         let leg = support.leg;
-        let (mode, laws, signals) = (&self.modes[leg], &self.laws[leg], &self.signals[0][leg]);
-        let present = self.motion.forces(leg, &self.step.before, &self.pieces);
+        let (mode, laws, signals) = (&self.modes[leg], &self.laws[leg], &self.signals[0].leg(leg));
+        let present = (self.motion).forces(leg, &self.signals[0], &self.pieces);
         if mode.pad_crushes(creep, signals) && present.normal < load {
             return false;
         }
