@@ -288,6 +288,13 @@ impl Body<f64> {
         let down = rotation(&self.quaternion).column(2).into_owned();
         atan2(hypot(down.x, down.y), down.z)
     }
+
+    /// Cosine of that inclination.
+    pub fn tilt_cosine(&self) -> f64 {
+        let q = &self.quaternion;
+        let (kept, turned) = (q.x * q.x + q.w * q.w, q.y * q.y + q.z * q.z);
+        (kept - turned) / (kept + turned)
+    }
 }
 
 /// The rotation matrix B, vehicle to ground (1), of a quaternion of any length but zero.

@@ -2,13 +2,21 @@
 
 use super::rest::{WHILE, free_fall};
 use crate::scene::Scene;
+use crate::state::Body;
 use crate::vehicle::Vehicle;
+
+/// Cosine of the tilt beyond which a vehicle no longer stands: 60 deg.
+const FALLEN: f64 = 0.5;
+
+/// Returns whether a vehicle is inclined so far that no foot will catch it.
+pub(super) fn has_fallen(body: &Body<f64>) -> bool {
+    body.tilt_cosine() < FALLEN
+}
 
 /// How long the CG of a vehicle has been beyond the hull of its feet.
 ///
-/// It may come back: feet still move out, or a strut pushes. In flight no foot can hold it, and none can tip it over either: a
-/// foot may yet catch it. So only the time counts in which the ground pushes on a foot or a block, or the body reaches into the
-/// ground.
+/// It may come back: feet still move out, or a strut pushes. In flight it is not yet decided: a foot may catch it. So only the time
+/// counts in which the ground pushes on a foot or a block, the body reaches into the ground, or the vehicle has fallen.
 pub(super) struct Toppling {
     /// Time after which the vehicle has toppled, s.
     limit: f64,

@@ -1,7 +1,5 @@
 //! The result of a landing, its energy account and its history.
 
-use libm::{atan2, hypot};
-
 use super::simulation::Simulation;
 use crate::attitude::Attitude;
 use crate::contact::Sinkages;
@@ -117,7 +115,6 @@ impl Simulation<'_> {
         let pads = PerLeg::from_fn(legs, |j| {
             self.modes[j].pad_depths(&self.laws[j], &signals.leg(j))
         });
-        let down = rotation(&state.body().quaternion).column(2).into_owned();
         Landing {
             outcome,
             end_time: self.time,
@@ -125,7 +122,7 @@ impl Simulation<'_> {
             min_stability_angle: self.extremes.angle.0.max(0.0),
             min_stability_time: self.extremes.angle.1,
             min_clearance: self.extremes.clearance,
-            tilt: atan2(hypot(down.x, down.y), down.z),
+            tilt: state.body().tilt(),
             energies: Energies {
                 initial_kinetic: self.motion.kinetic(&self.start),
                 potential_change: self.motion.released(&self.start, state),

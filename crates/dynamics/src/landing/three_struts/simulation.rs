@@ -14,7 +14,7 @@ use crate::landing::record::{Beyond, Landing};
 use crate::landing::rest::Rest;
 use crate::landing::simulation::{FIRST_STEP, MOST_STEPS};
 use crate::landing::steadiness::Steadiness;
-use crate::landing::toppling::Toppling;
+use crate::landing::toppling::{Toppling, has_fallen};
 use crate::landing::touchdown::body_at_touchdown;
 use crate::landing::trajectory::{event_resolution, work_error};
 use crate::laws::three_struts::{LegLaws, LegMode, SIGNALS};
@@ -299,7 +299,9 @@ impl<'o> Simulation<'o> {
     fn note_beyond(&mut self, passed: f64) -> bool {
         let Seen { angle, clearance } = self.seen;
         self.toppling.note(angle <= 0.0, passed, || {
-            clearance < 0.0 || self.modes.iter().any(LegMode::is_pressed)
+            clearance < 0.0
+                || self.modes.iter().any(LegMode::is_pressed)
+                || has_fallen(&self.step.after.body())
         })
     }
 
