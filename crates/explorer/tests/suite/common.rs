@@ -126,4 +126,17 @@ impl Client {
         let status = text.split(' ').nth(1).and_then(|code| code.parse().ok());
         (status.unwrap_or(0), text)
     }
+
+    /// A call that every server that lives answers.
+    pub fn is_alive(&self) -> bool {
+        let landing = self.call("landing", r#"{"interval_s": 0.1}"#);
+        // Others may have used up what there is for a second.
+        (0..50).any(|_| {
+            let (status, _) = self.send(&landing);
+            if status == 429 {
+                thread::sleep(Duration::from_millis(100));
+            }
+            status == 200
+        })
+    }
 }

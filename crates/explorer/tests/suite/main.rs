@@ -1,5 +1,6 @@
 //! Tests of the interface and of the server, in one program.
 
+mod absent_readers;
 mod answers;
 mod common;
 mod complaints;
