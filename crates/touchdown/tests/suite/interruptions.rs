@@ -87,12 +87,21 @@ fn wait_for_points(bench: &Bench, journal: &str, child: &mut Child) {
     }
 }
 
+/// Interrupted at first, then gone on with and terminated, then gone on with to the end.
 #[test]
 fn interrupted_and_terminated_it_ends_in_time_and_goes_on() {
     let expected = uninterrupted();
+    let bench = bench();
+    let length = || fs::metadata(bench.path(JOURNAL)).map_or(0, |file| file.len());
+    let mut earlier = 0;
     for name in ["-INT", "-TERM"] {
-        let bench = bench();
+        let before = length();
         let mut sweep = start(&bench, &["--threads", "1"]);
+        // What was there before does not tell that the program heeds signals by now; that it has grown does.
+        while length() <= before {
+            assert!(sweep.try_wait().unwrap().is_none(), "ended at once");
+            std::thread::sleep(Duration::from_millis(1));
+        }
         wait_for_points(&bench, JOURNAL, &mut sweep);
         signal(&sweep, name);
         let done = Done::from(sweep.wait_with_output().unwrap());
@@ -100,6 +109,8 @@ fn interrupted_and_terminated_it_ends_in_time_and_goes_on() {
         assert!(done.err.contains("run again to go on"), "{}", done.err);
         assert_eq!(bench.list("results"), ["sweep.journal"]);
         let journaled = journaled_points(&bench).unwrap();
+        assert!(journaled > earlier, "{journaled} after {earlier}");
+        earlier = journaled;
         let told = bench.run(&["sweep", "sweep.toml", "--dry-run"]);
         let expected_words = format!(
             "results/sweep.journal holds {journaled} point{}: {} left",
@@ -107,17 +118,16 @@ fn interrupted_and_terminated_it_ends_in_time_and_goes_on() {
             POINTS - journaled
         );
         assert!(told.out.contains(&expected_words), "{}", told.out);
-
-        let resumed = bench.run(&["sweep", "sweep.toml", "--resume", "--threads", "2"]);
-        assert_eq!(resumed.code, Some(0), "{}", resumed.err);
-        assert!(
-            resumed.err.contains(&format!("of {POINTS} points are in")),
-            "{}",
-            resumed.err
-        );
-        assert_eq!(RESULTS.map(|name| bench.read(name)), *expected);
-        assert!(!bench.list("results").contains(&"sweep.journal".to_owned()));
     }
+    let resumed = bench.run(&["sweep", "sweep.toml", "--resume", "--threads", "2"]);
+    assert_eq!(resumed.code, Some(0), "{}", resumed.err);
+    assert!(
+        (resumed.err).contains(&format!("{earlier} of {POINTS} points are in")),
+        "{}",
+        resumed.err
+    );
+    assert_eq!(RESULTS.map(|name| bench.read(name)), *expected);
+    assert!(!bench.list("results").contains(&"sweep.journal".to_owned()));
 }
 
 /// Journals are in the units of the program, whatever those of the results.
@@ -410,9 +420,9 @@ fn shards_computed_anywhere_and_killed_make_the_same_results() {
 
 #[test]
 fn shards_of_different_sweeps_are_not_merged() {
-    let bench = bench();
+    let bench = Bench::new();
     for (number, friction) in [("1/2", "1.0"), ("2/2", "0.9")] {
-        let text = sweep().replace("friction = 1.0", &format!("friction = {friction}"));
+        let text = SWEEP.replace("friction = 1.0", &format!("friction = {friction}"));
         bench.write("sweep.toml", &text);
         let done = bench.run(&["sweep", "sweep.toml", "--shard", number]);
         assert_eq!(done.code, Some(0), "{}", done.err);
