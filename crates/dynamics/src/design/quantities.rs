@@ -377,7 +377,7 @@ const TILTS: Usual = Between(-30.0, 30.0);
 const STEEPEST: &str = "slope and tilt together between −90 and 90";
 
 quantities! {
-    /// The ground under a leg: under its footpad, then under its block.
+    /// The ground under a leg: under its footpad, then under its block, and its soil.
     FOOTING:
     PAD_GROUND_HEIGHT = new(
         "height_ft", HEIGHT, "height over the surface, along its normal: a rock is positive, a crater negative")
@@ -400,6 +400,10 @@ quantities! {
     BLOCK_TILT_ACROSS = new("block_tilt_across_deg", TILT, "the same under the block")
         .by_default("`tilt_across_deg`")
         .usually(TILTS);
+    BEARING_FACTOR = new(
+        "bearing_factor", Range::closed(0.01, 100.0), "factor on the bearing strength of the soil under the leg; 1 on rock")
+        .default(1.0)
+        .usually(Between(0.5, 2.0));
 }
 
 const INTERVALS: Range = Range::closed(1e-9, 1.0);

@@ -26,6 +26,19 @@ pub struct Bearing {
     rebound: f64,
 }
 
+impl Soil {
+    /// The same material with its bearing strength times a factor.
+    pub fn strengthened(self, factor: f64) -> Self {
+        match self {
+            Self::Rock => Self::Rock,
+            Self::Yielding(bearing) => Self::Yielding(Bearing {
+                strength: bearing.strength * factor,
+                ..bearing
+            }),
+        }
+    }
+}
+
 /// Sinkages of the table's knots, over z₀, where the law is no straight line.
 const KNOTS: [f64; 7] = [0.0, 0.0625, 0.25, 0.5, 1.0, 1.5, 2.0];
 

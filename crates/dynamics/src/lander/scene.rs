@@ -47,6 +47,14 @@ pub struct Conditions {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scene(Conditions);
 
+impl Conditions {
+    /// Material of the ground under leg `index`.
+    pub fn soil_under(&self, index: usize) -> Soil {
+        self.soil
+            .strengthened(self.ground.leg(index).bearing_factor)
+    }
+}
+
 impl Scene {
     /// Checks touchdown conditions.
     ///
@@ -64,7 +72,7 @@ impl Scene {
         SLOPE.check_radians("", given.slope)?;
         PAD_FRICTION.check("", given.pad_friction)?;
         BLOCK_FRICTION.check("", given.block_friction)?;
-        given.ground.check_on(given.slope)?;
+        given.ground.check_on(given.slope, &given.soil)?;
         if let Some(gravity) = given.gravity {
             GRAVITY.check("", gravity)?;
         }

@@ -120,10 +120,11 @@ impl<'o> Trajectory<'o> {
         let motion = Motion::new(vehicle, scene).with_contact_rule(rules.contact);
         let legs = motion.leg_count();
         let laws: ArrayVec<LegLaws, MOST_LEGS> = (vehicle.hinged_legs().iter())
-            .map(|leg| {
+            .enumerate()
+            .map(|(index, leg)| {
                 leg.laws()
                     .clone()
-                    .on_soil(&scene.conditions().soil, leg.design())
+                    .on_soil(&scene.conditions().soil_under(index), leg.design())
                     .with_crush_rule(rules.crush)
                     .with_contact_rule(rules.contact)
                     .with_friction(settings.friction_profile())

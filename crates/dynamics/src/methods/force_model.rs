@@ -46,10 +46,11 @@ impl ForceModel {
     /// The model of a vehicle in a scene under the crush rule and friction profile of `settings`.
     pub fn new(vehicle: &Vehicle, scene: &Scene, settings: &Settings) -> Self {
         let laws: Vec<LegLaws> = (vehicle.hinged_legs().iter())
-            .map(|leg| {
+            .enumerate()
+            .map(|(index, leg)| {
                 leg.laws()
                     .clone()
-                    .on_soil(&scene.conditions().soil, leg.design())
+                    .on_soil(&scene.conditions().soil_under(index), leg.design())
                     .with_crush_rule(settings.rules(vehicle).crush)
                     .with_friction(settings.friction_profile())
             })

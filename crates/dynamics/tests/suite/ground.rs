@@ -28,10 +28,7 @@ fn on(ground: &[LegFooting], conditions: Conditions) -> Scene {
 }
 
 fn both(patch: Patch) -> LegFooting {
-    LegFooting {
-        pad: patch,
-        block: patch,
-    }
+    LegFooting::of(patch, patch)
 }
 
 fn raised(height: f64) -> Patch {
@@ -92,9 +89,9 @@ fn as_steeper_plane(vehicle: &Vehicle, conditions: Conditions, more: f64) -> Vec
         }
     };
     (vehicle.hinged_legs().iter().enumerate())
-        .map(|(j, leg)| LegFooting {
-            pad: patch(motion.geometry(j).pivot(leg.extended_angle())),
-            block: patch(motion.geometry(j).block_face()),
+        .map(|(j, leg)| {
+            let pad = patch(motion.geometry(j).pivot(leg.extended_angle()));
+            LegFooting::of(pad, patch(motion.geometry(j).block_face()))
         })
         .collect()
 }
@@ -171,13 +168,11 @@ fn landings_on_rough_ground_close_their_accounts_and_converge() {
                     tilt_along: tilt(k),
                     tilt_across: tilt(k + 1),
                 };
-                LegFooting {
-                    pad,
-                    block: Patch {
-                        height: height(k + 2) - 0.2,
-                        ..pad
-                    },
-                }
+                let block = Patch {
+                    height: height(k + 2) - 0.2,
+                    ..pad
+                };
+                LegFooting::of(pad, block)
             })
             .collect();
         let scene = on(&ground, level(180.0, 45.0, 6.0 + case as f64));
@@ -199,10 +194,7 @@ fn landings_on_rough_ground_close_their_accounts_and_converge() {
                     tilt_across: -patch.tilt_across,
                     ..patch
                 };
-                LegFooting {
-                    pad: mirror(ground[leg].pad),
-                    block: mirror(ground[leg].block),
-                }
+                LegFooting::of(mirror(ground[leg].pad), mirror(ground[leg].block))
             })
             .into();
         let image = land(
@@ -251,7 +243,7 @@ fn a_quarter_of_a_turn_of_everything_on_level_ground_is_the_same_landing() {
             (patch(0.0, -0.13, -0.1), patch(-0.05, 0.0, 0.1)),
             (patch(-0.06, 0.0, 0.0), patch(0.0, 0.0, 0.15)),
         ];
-        Ground::new(&legs.map(|(pad, block)| LegFooting { pad, block })).unwrap()
+        Ground::new(&legs.map(|(pad, block)| LegFooting::of(pad, block))).unwrap()
     };
     for rules in [Rules::REPORT, Rules::PHYSICAL] {
         let vehicle = off_center(table_4_1()).with_rules(rules);

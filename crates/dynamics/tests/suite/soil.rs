@@ -5,6 +5,7 @@ use crate::common::scenes::history;
 use crate::common::{even_inertia, level, ring, surveyor_leg};
 use std::f64::consts::FRAC_PI_8;
 use touchdown_dynamics::crush::CrushLaw;
+use touchdown_dynamics::ground::{Ground, LegFooting};
 use touchdown_dynamics::land::land;
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::profile::Profile;
@@ -174,6 +175,68 @@ fn pads_sink_by_the_work_that_they_take() {
     let [crush, sinkage] = [landing.max_pad_crush[0], landing.max_sinkage[0]];
     assert!((crush - 0.02 * strength * sinkage / depth / PRESSURE).abs() < 1e-9);
     assert!(sinkage > 10.0 * crush && sinkage > 0.02, "{sinkage}");
+}
+
+/// Soil that is stronger under all legs is that stronger soil, bit for bit. Where one leg of a lander that lands level stands on
+/// stronger soil than the others, it sinks less than they do, as long as all soil yields like a spring: half as much on twice the
+/// strength at the same pressure.
+#[test]
+fn soil_of_its_own_under_each_leg() {
+    let vehicle = lander(&profile());
+    let under = |strength: f64, factors: [f64; 3]| {
+        let ground = factors.map(|bearing_factor| LegFooting {
+            bearing_factor,
+            ..LegFooting::SURFACE
+        });
+        let conditions = Conditions {
+            ground: Ground::new(&ground).unwrap(),
+            slope: 0.0,
+            vertical_velocity: 4.0,
+            ..level(180.0, 0.0, 0.0)
+        };
+        let soil = Soil::Yielding(soil(strength, 0.2, 1.0, 0.001));
+        landed(&vehicle, conditions, soil, 1e-7)
+    };
+    assert_eq!(under(600.0, [1.5; 3]), under(900.0, [1.0; 3]));
+    let sinkage = under(600.0, [1.0, 8.0, 1.0]).max_sinkage;
+    let [weak, strong] = [sinkage[0], sinkage[1]];
+    assert!(
+        strong < 0.2 * weak && strong > 0.05 * weak,
+        "{strong} {weak}"
+    );
+    assert!((sinkage[2] - weak).abs() < 1e-3 * weak, "both lie alike");
+}
+
+/// Rock is as strong under each leg.
+#[test]
+fn rock_has_no_strength_of_its_own_under_a_leg() {
+    let ground = [1.0, 2.0].map(|bearing_factor| LegFooting {
+        bearing_factor,
+        ..LegFooting::SURFACE
+    });
+    let refused = |ground: &[LegFooting], soil| {
+        let ground = Ground::new(ground).unwrap();
+        Scene::new(Conditions {
+            ground,
+            soil,
+            ..level(180.0, 0.0, 0.0)
+        })
+        .map_err(|invalid| invalid.to_string())
+        .err()
+    };
+    let expected = "footing[2].bearing_factor = 2: expected 1 on rock, which does not yield";
+    assert_eq!(refused(&ground, Soil::Rock).unwrap(), expected);
+    let yielding = Soil::Yielding(soil(600.0, 0.2, 1.0, 0.001));
+    assert_eq!(refused(&ground, yielding), None);
+    let none = Ground::new(&[LegFooting {
+        bearing_factor: 0.001,
+        ..LegFooting::SURFACE
+    }]);
+    let none = none.unwrap_err().to_string();
+    assert!(
+        none.starts_with("footing[1].bearing_factor = 0.001: "),
+        "{none}"
+    );
 }
 
 /// Whatever lands on whatever soil: no energy comes from it, the account closes, and pads sink no less than they are left in

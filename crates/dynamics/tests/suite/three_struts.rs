@@ -8,6 +8,7 @@ use std::sync::Arc;
 use touchdown_dynamics::attitude::{Attitude, Euler};
 use touchdown_dynamics::batch::{Request, land_many};
 use touchdown_dynamics::crush_load::CrushLoad;
+use touchdown_dynamics::ground::{Ground, LegFooting};
 use touchdown_dynamics::land::land;
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::outcome::Class;
@@ -477,6 +478,29 @@ fn at_rest_the_ground_bears_the_weight() {
 }
 
 /// In a batch they land as alone, beside vehicles on hinged legs.
+/// Soil that is stronger under all legs is that stronger soil, bit for bit; a foot on stronger soil than the others sinks less.
+#[test]
+fn soil_of_its_own_under_each_leg() {
+    let vehicle = lander(CANTILEVER, 4, INERTIA);
+    let on = |strength: f64, factors: [f64; 4]| {
+        let ground = factors.map(|bearing_factor| LegFooting {
+            bearing_factor,
+            ..LegFooting::SURFACE
+        });
+        let conditions = Conditions {
+            soil: Soil::Yielding(Bearing::new(strength, 0.164, 1.0, 0.004).unwrap()),
+            ground: Ground::new(&ground).unwrap(),
+            ..conditions()
+        };
+        landed(&vehicle, conditions, 1e-6)
+    };
+    assert_eq!(on(500.0, [1.5; 4]), on(750.0, [1.0; 4]));
+    let sinkage = on(500.0, [1.0, 1.0, 4.0, 1.0]).max_sinkage;
+    for leg in [0, 1, 3] {
+        assert!(sinkage[2] < 0.5 * sinkage[leg], "{sinkage:?}");
+    }
+}
+
 #[test]
 fn a_batch_lands_them_as_alone() {
     let (scene, settings) = (Scene::new(conditions()).unwrap(), settings(1e-5));

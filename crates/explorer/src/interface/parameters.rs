@@ -7,6 +7,7 @@ mod slider;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use touchdown_dynamics::attitude::Attitude;
+use touchdown_dynamics::quantities::BEARING_FACTOR;
 use touchdown_figures::axis_title::bare_title;
 use touchdown_figures::unit::split_unit;
 use touchdown_sweep::assignment::{self, Assignment};
@@ -126,7 +127,7 @@ fn of_scene(touchdown: &Touchdown, parameter: &Parameter) -> Option<(f64, bool)>
             .filter(|_| has_thrust)
             .map(|value| (value, false));
     }
-    if name.starts_with("soil.") {
+    if name.starts_with("soil.") || quantity.key == BEARING_FACTOR.key {
         let has_soil = resolved.iter().any(|(known, _)| known.starts_with("soil."));
         let default = quantity.default_number().filter(|_| has_soil);
         return default.map(|value| (value, false));

@@ -259,12 +259,11 @@ impl Stock {
                 design.spread *= random.between(0.6, 1.5);
                 design.footpad.crush_pressure *= stiffness * random.log_between(0.9, 1.1);
                 for strut in [&mut design.primary, &mut design.secondary] {
-                    for load in [&mut strut.compression_load, &mut strut.tension_load] {
-                        if let Some(load) = load {
-                            let knots = load.knots().iter();
-                            let stronger = knots.map(|[stroke, load]| [*stroke, load * strength]);
-                            *load = CrushLoad::new(stronger.collect())?;
-                        }
+                    let loads = [&mut strut.compression_load, &mut strut.tension_load];
+                    for load in loads.into_iter().flatten() {
+                        let knots = load.knots().iter();
+                        let stronger = knots.map(|[stroke, load]| [*stroke, load * strength]);
+                        *load = CrushLoad::new(stronger.collect())?;
                     }
                 }
                 ThreeStrutLeg::new(design)
@@ -336,7 +335,7 @@ fn uneven(vehicle: &Vehicle, kind: usize, random: &mut Random) -> Result<Ground,
                     random.normal(0.1).clamp(-0.3, 0.3)
                 },
             };
-            LegFooting { pad, block: pad }
+            LegFooting::of(pad, pad)
         })
         .collect();
     Ground::new(&legs)

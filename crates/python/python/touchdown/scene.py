@@ -41,7 +41,8 @@ class Scene(NeverChanges):
         - ``angular_velocity_x_dps``, ``…_y_dps``, ``…_z_dps``: rates of turn, deg/s; default 0
         - ``gravity_fps2``, or ``gravity``: "moon", "mars", "earth" or "ceres"; default that of the vehicle
         - ``thrust``: dictionary with ``time_s`` and ``force_lb``, and optional ``scale``, ``offset_x_ft``, ``offset_y_ft``
-        - ``footing``: a dictionary for each leg, with ``height_ft``, ``tilt_along_deg``, ``tilt_across_deg``, ``block_…``
+        - ``footing``: a dictionary for each leg, with ``height_ft``, ``tilt_along_deg``, ``tilt_across_deg``, ``block_…``,
+          ``bearing_factor``
 
         Each may be in SI under its other name, such as ``vertical_velocity_mps``.
 

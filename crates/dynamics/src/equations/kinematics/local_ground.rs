@@ -48,7 +48,7 @@ impl LegGround<f64> {
         link_angle: f64,
     ) -> Self {
         let conditions = scene.conditions();
-        let LegFooting { pad, block } = *conditions.ground.leg(index);
+        let LegFooting { pad, block, .. } = *conditions.ground.leg(index);
         let attitude = conditions.attitude.matrix();
         let center = Vector3::new(x, y, 0.0);
         let place = |point: Vector3<f64>| attitude * (center + point);

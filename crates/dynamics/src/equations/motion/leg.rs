@@ -74,7 +74,7 @@ impl LegMotion<f64> {
         let block_strength = design.block.as_ref().map_or(0.0, |block| {
             0.5 * quarter_circle * block.diameter * block.diameter * block.crush_pressure
         });
-        let soil = &scene.conditions().soil;
+        let soil = &scene.conditions().soil_under(index);
         let elastic = |profile: &Profile, crush_pressure: f64| {
             elastic_slope(profile.first_slope(), soil, crush_pressure)
         };

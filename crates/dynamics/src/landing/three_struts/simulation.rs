@@ -86,7 +86,11 @@ impl<'o> Simulation<'o> {
         let conditions = scene.conditions();
         let motion = Motion::new(vehicle, legs, scene);
         let laws: ArrayVec<LegLaws, MOST_LEGS> = (legs.iter())
-            .map(|leg| LegLaws::of(leg.design(), &conditions.soil, settings.friction_profile()))
+            .enumerate()
+            .map(|(index, leg)| {
+                let soil = conditions.soil_under(index);
+                LegLaws::of(leg.design(), &soil, settings.friction_profile())
+            })
             .collect();
         let modes = PerLeg::from_fn(legs.len(), |j| LegMode::untouched(&laws[j]));
         let state = motion.at_first_contact(body_at_touchdown(conditions));

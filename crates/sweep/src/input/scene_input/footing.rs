@@ -11,7 +11,7 @@ use crate::section::{LocatedValue, Section};
 
 /// The table of the ground under one leg, and its keys.
 pub(crate) const FOOTING: &str = "footing";
-pub(crate) const FOOTING_KEYS: [&str; 6] = keys_of(quantities::FOOTING);
+pub(crate) const FOOTING_KEYS: [&str; 7] = keys_of(quantities::FOOTING);
 
 /// Names of the conditions of the ground under leg `index`, from 0, in the order of [`FOOTING_KEYS`].
 fn names_of(index: usize) -> [&'static str; FOOTING_KEYS.len()] {
@@ -57,8 +57,8 @@ impl NamedConditions {
     pub(super) fn ground(&self) -> Result<Ground, SceneFault> {
         let mut footing = Vec::with_capacity(MOST_LEGS);
         for names in (0..MOST_LEGS).map(names_of) {
+            let given = |name| self.get(name).map(|_| self.need(name)).transpose();
             let patch = |names: &[&'static str], default: Patch| -> Result<Patch, SceneFault> {
-                let given = |name| self.get(name).map(|_| self.need(name)).transpose();
                 let angle = |name| given(name).map(|angle| angle.map(f64::to_radians));
                 Ok(Patch {
                     height: given(names[0])?.unwrap_or(default.height),
@@ -66,10 +66,15 @@ impl NamedConditions {
                     tilt_across: angle(names[2])?.unwrap_or(default.tilt_across),
                 })
             };
-            let (of_pad, of_block) = names.split_at(FOOTING_KEYS.len() / 2);
+            let [of_pad @ .., _, _, _, factor] = &names;
             let pad = patch(of_pad, Patch::default())?;
-            let block = patch(of_block, pad)?;
-            footing.push(LegFooting { pad, block });
+            let block = patch(&names[of_pad.len()..], pad)?;
+            let bearing_factor = given(factor)?.unwrap_or(LegFooting::SURFACE.bearing_factor);
+            footing.push(LegFooting {
+                pad,
+                block,
+                bearing_factor,
+            });
         }
         Ground::new(&footing).map_err(|invalid| self.fault(invalid))
     }
