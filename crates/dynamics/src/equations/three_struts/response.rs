@@ -106,10 +106,10 @@ impl Leg<Quad> {
     ) -> LegResponse {
         let mut damping = [Quad::zero(); STRUTS];
         let mut strut_damping = Matrix3::zeros();
-        for k in 0..STRUTS {
-            damping[k] = self.damping(k, action.rates[k])[1];
+        for (k, damping) in damping.iter_mut().enumerate() {
+            *damping = self.damping(k, action.rates[k])[1];
             let push = &action.reaches[k].push;
-            strut_damping -= outer(&(push * damping[k]), push);
+            strut_damping -= outer(&(push * *damping), push);
         }
         let mut strut_stiffness = Matrix3::zeros();
         for axis in 0..3 {
