@@ -327,6 +327,8 @@ pub struct HingedPosture {
 pub struct ThreeStrutPosture {
     /// Foot from the CG in vehicle axes, ft.
     pub foot: Vector3<f64>,
+    /// Its velocity in ground axes, ft/s.
+    pub velocity: Vector3<f64>,
     /// Strokes of the secondary struts, ft, shorter is positive: first the one at the lesser azimuth.
     pub secondary_strokes: [f64; 2],
     /// Their loads, lb, compression positive.

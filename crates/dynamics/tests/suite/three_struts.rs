@@ -478,6 +478,35 @@ fn at_rest_the_ground_bears_the_weight() {
 }
 
 /// In a batch they land as alone, beside vehicles on hinged legs.
+/// Feet are where their velocities take them.
+#[test]
+fn histories_tell_how_feet_move() {
+    let vehicle = lander(TRIPOD, 3, INERTIA);
+    let scene = Scene::new(Conditions {
+        horizontal_velocity: 3.0,
+        ..conditions()
+    });
+    let interval = 1e-4;
+    let (_, instants) = history(&vehicle, &scene.unwrap(), &until(0.1), interval);
+    let of_feet = |k: usize| {
+        let instant = &instants[k];
+        let turned = instant.attitude.matrix();
+        let legs = instant.legs.iter().map(|leg| leg.three_strut().unwrap());
+        legs.map(|leg| (instant.position + turned * leg.foot, leg.velocity))
+            .collect::<Vec<_>>()
+    };
+    let mut fastest = 0.0_f64;
+    for k in 1..1000 {
+        for (before, after) in of_feet(k - 1).into_iter().zip(of_feet(k)) {
+            let moved = (after.0 - before.0) / interval;
+            let off = moved - 0.5 * (before.1 + after.1);
+            assert!(off.norm() < 0.05, "{off} of {moved}");
+            fastest = fastest.max(moved.norm());
+        }
+    }
+    assert!(fastest > 10.0);
+}
+
 /// Soil that is stronger under all legs is that stronger soil, bit for bit; a foot on stronger soil than the others sinks less.
 #[test]
 fn soil_of_its_own_under_each_leg() {

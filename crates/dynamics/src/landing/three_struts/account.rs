@@ -83,9 +83,11 @@ impl Simulation<'_> {
                 let forces = self.motion.forces(j, &signals, &self.pieces);
                 let (set, sinkage) = self.modes[j].pad_set(&self.laws[j], &signals.leg(j));
                 let [_, left, right] = forces.struts;
+                let foot = state.foot(j);
                 LegInstant {
                     posture: LegPosture::ThreeStrut(ThreeStrutPosture {
-                        foot: frame.tr_mul(&(state.foot(j).position - body.position)),
+                        foot: frame.tr_mul(&(foot.position - body.position)),
+                        velocity: foot.velocity,
                         secondary_strokes: [1, 2].map(|k| signals.of(j, STROKES.start + k)),
                         secondary_forces: [left, right],
                     }),

@@ -41,8 +41,8 @@ trait LegKind {
     fn patches(&self) -> Vec<Patch>;
     /// The two critical feet at an instant, if there are any.
     fn critical_feet(&mut self, instant: &Instant) -> Option<[usize; 2]>;
-    /// The legs at instant `at`.
-    fn places(&self, instants: &[Instant], at: usize) -> Vec<LegPlace>;
+    /// The legs at an instant.
+    fn places(&self, instant: &Instant) -> Vec<LegPlace>;
 }
 
 impl Drawing {

@@ -145,8 +145,7 @@ impl LegKind for HingedLegs<'_> {
         chosen.ok().map(|_| self.monitor.critical_feet(&footing))
     }
 
-    fn places(&self, instants: &[Instant], at: usize) -> Vec<LegPlace> {
-        let instant = &instants[at];
+    fn places(&self, instant: &Instant) -> Vec<LegPlace> {
         let frame = self.motion.frame(&body(instant));
         let legs = instant.legs.iter().enumerate();
         legs.filter_map(|(index, leg)| Some(self.place(index, &frame, leg, leg.hinged()?)))

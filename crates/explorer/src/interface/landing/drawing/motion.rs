@@ -62,7 +62,7 @@ impl Instants {
             legs: vec![LegColumns::default(); vehicle.leg_count()],
             ..Self::default()
         };
-        for (at, instant) in instants.iter().enumerate() {
+        for instant in instants {
             let matrix = instant.attitude.matrix().transpose();
             let mut rotation = [0.0; 9];
             for (place, number) in rotation.iter_mut().zip(matrix.iter()) {
@@ -75,7 +75,7 @@ impl Instants {
             columns.stability_angle_deg.push(rounded(angle));
             let critical = legs.critical_feet(instant);
             (columns.critical_edge).push(critical.map(|feet| feet.map(|foot| foot + 1)));
-            let places = legs.places(instants, at);
+            let places = legs.places(instant);
             for ((place, leg), to) in places.iter().zip(&instant.legs).zip(&mut columns.legs) {
                 to.add(place, leg);
             }

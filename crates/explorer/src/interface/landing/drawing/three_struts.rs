@@ -88,20 +88,13 @@ impl<'a> ThreeStrutLegs<'a> {
         }
     }
 
-    fn place(&self, index: usize, instants: &[Instant], at: usize) -> Option<LegPlace> {
-        let leg = &instants[at].legs[index];
+    fn place(&self, index: usize, instant: &Instant) -> Option<LegPlace> {
+        let leg = &instant.legs[index];
         let posture = leg.three_strut()?;
-        let foot = |at: usize| {
-            let instant = &instants[at];
-            let from_center = instant.legs[index].three_strut()?.foot;
-            Some(instant.position + instant.attitude.matrix() * from_center)
-        };
-        let pivot = foot(at)?;
+        let pivot = instant.position + instant.attitude.matrix() * posture.foot;
         let plane = &self.grounds[index].plane;
         let inward = plane.normal();
-        // A foot's velocity is not among the data of an instant: it slides as it moves between the neighbouring ones.
-        let moved = foot((at + 1).min(instants.len() - 1))? - foot(at.saturating_sub(1))?;
-        let sliding = moved - inward * inward.dot(&moved);
+        let sliding = posture.velocity - inward * inward.dot(&posture.velocity);
         let direction = sliding.try_normalize(0.0).unwrap_or_default();
         let interference = plane.depth_of(&pivot) + self.legs[index].design().footpad.height;
         let of_struts = |primary, [left, right]: [f64; 2]| vec![primary, left, right];
@@ -145,9 +138,9 @@ impl LegKind for ThreeStrutLegs<'_> {
         Some(critical_feet_of_hull(&feet))
     }
 
-    fn places(&self, instants: &[Instant], at: usize) -> Vec<LegPlace> {
+    fn places(&self, instant: &Instant) -> Vec<LegPlace> {
         (0..self.legs.len())
-            .filter_map(|index| self.place(index, instants, at))
+            .filter_map(|index| self.place(index, instant))
             .collect()
     }
 }
