@@ -28,11 +28,12 @@ mod trajectory;
 mod verdict;
 mod within;
 
-use crate::outcome::Outcome;
+use crate::outcome::{Class, Outcome};
 use crate::scene::{Scene, Settings};
 use crate::vehicle::{Legs, Vehicle};
 
 use history::History;
+use record::Beyond;
 
 pub(crate) use rates::final_rates;
 pub(crate) use simulation::{NextStart, Simulation};
@@ -55,6 +56,32 @@ trait UnderWay {
     fn report_end(&mut self);
     /// Its result.
     fn result(&self, outcome: Outcome) -> Landing;
+}
+
+/// The result of a landing that ended with this outcome, by its `account` of an outcome. One that went on beyond the verdict that
+/// was `noted` has that verdict. One that ends otherwise than stable at the time at which it `topples` (s), its CG beyond the feet,
+/// has toppled.
+fn with_verdict(
+    noted: Option<(Outcome, f64)>,
+    topples: Option<f64>,
+    outcome: Outcome,
+    settings: &Settings,
+    account: impl FnOnce(Outcome) -> Landing,
+) -> Landing {
+    let toppled = topples
+        .filter(|_| outcome.class() != Class::Stable)
+        .map(|time| (Outcome::UnstableToppled, time));
+    match noted.or(toppled) {
+        None => account(outcome),
+        Some((verdict, _)) if !settings.goes_on() => account(verdict),
+        Some((verdict, verdict_time)) => Landing {
+            beyond: Some(Beyond {
+                verdict_time,
+                end: outcome,
+            }),
+            ..account(verdict)
+        },
+    }
 }
 
 /// A landing on hinged legs, computed alone.

@@ -27,7 +27,7 @@ pub struct Bearing {
 }
 
 impl Soil {
-    /// The same material with its bearing strength times a factor.
+    /// Returns the same material, its bearing strength times a factor.
     pub fn strengthened(self, factor: f64) -> Self {
         match self {
             Self::Rock => Self::Rock,

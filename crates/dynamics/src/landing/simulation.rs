@@ -8,11 +8,12 @@ use super::steadiness::Steadiness;
 use super::step_attempt::{StepKind, TakeStep, Workspace};
 use super::trajectory::{Earlier, Trajectory};
 use super::verdict::StabilityTrack;
+use super::with_verdict;
 use crate::integrator::step::Step;
 use crate::integrator::step_control::{LONGEST, SHORTEST, StepControl};
-use crate::outcome::{Class, Failure, Outcome};
+use crate::outcome::{Failure, Outcome};
 use crate::per_leg::PerLeg;
-use crate::record::{Beyond, Landing};
+use crate::record::Landing;
 use crate::registers::Registers;
 use crate::rules::RestRule;
 use crate::scene::{Scene, Settings};
@@ -451,25 +452,13 @@ impl<'o> Simulation<'o> {
         })
     }
 
-    /// Result of the landing. The outcome of one that went on beyond its verdict is the verdict. One that ends otherwise
-    /// than stable while its CG is beyond the feet has toppled.
+    /// Result of the landing.
     pub(crate) fn result(&self, outcome: Outcome) -> Landing {
-        let topples = self.stability.is_beyond() && outcome.class() != Class::Stable;
-        let toppled = topples.then_some((Outcome::UnstableToppled, self.trajectory.time));
-        let noted = self.noted.clone().or(toppled);
-        let Some((verdict, time)) = noted else {
-            return self.trajectory.result(outcome);
-        };
-        if !self.trajectory.settings.goes_on() {
-            return self.trajectory.result(verdict);
-        }
-        Landing {
-            beyond: Some(Beyond {
-                verdict_time: time,
-                end: outcome,
-            }),
-            ..self.trajectory.result(verdict)
-        }
+        let topples = (self.stability.is_beyond()).then_some(self.trajectory.time);
+        let settings = &self.trajectory.settings;
+        with_verdict(self.noted.clone(), topples, outcome, settings, |outcome| {
+            self.trajectory.result(outcome)
+        })
     }
 }
 

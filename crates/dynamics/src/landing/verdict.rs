@@ -2,7 +2,7 @@
 
 use pulp::NullaryFnOnce;
 
-use super::toppling::{Toppling, has_fallen};
+use super::toppling::Toppling;
 use super::trajectory::Trajectory;
 use super::within::Between;
 use crate::contact::LegMode;
@@ -68,11 +68,9 @@ impl StabilityTrack {
     #[inline(always)]
     fn note_beyond(&mut self, trajectory: &Trajectory<'_>, passed: f64) -> bool {
         let is_beyond = self.monitor.is_beyond_hull(&self.seen);
-        let reaches_into_ground = self.seen.clearance < 0.0;
-        self.toppling.note(is_beyond, passed, || {
-            reaches_into_ground
-                || trajectory.modes.iter().any(LegMode::is_pressed)
-                || has_fallen(&trajectory.step.after.body())
+        let body = || trajectory.step.after.body();
+        (self.toppling).note(is_beyond, passed, self.seen.clearance, body, || {
+            trajectory.modes.iter().any(LegMode::is_pressed)
         })
     }
 

@@ -54,7 +54,7 @@ pub fn sum(numbers: Quad, legs: usize) -> f64 {
     sum
 }
 
-/// The same of each component.
+/// Sum of each component over the first `legs` lanes.
 #[inline(always)]
 pub fn vector_sum(vectors: &Vector3<Quad>, legs: usize) -> Vector3<f64> {
     Vector3::new(
@@ -64,7 +64,7 @@ pub fn vector_sum(vectors: &Vector3<Quad>, legs: usize) -> Vector3<f64> {
     )
 }
 
-/// The same of each element.
+/// Sum of each element over the first `legs` lanes.
 #[inline(always)]
 pub fn matrix_sum(matrices: &Matrix3<Quad>, legs: usize) -> Matrix3<f64> {
     Matrix3::from_fn(|row, column| sum(matrices[(row, column)], legs))

@@ -6,7 +6,8 @@
 use nalgebra::{LU, Matrix3, Matrix6, U6, Vector3, Vector6};
 use num_traits::{One, Zero};
 
-use super::motion::{Leg, LegAction, Motion, Pieces, SeenBody};
+use super::leg::{Leg, LegAction, SeenBody};
+use super::motion::{Motion, Pieces};
 use super::state::{FootState, State};
 use crate::integrator::rosenbrock::StageEquations;
 use crate::laws::three_struts::{LegPieces, STRUTS};

@@ -25,7 +25,7 @@ pub(super) struct Extremes {
     pub(super) struts: [[[Quad; 2]; STRUTS + 1]; QUADS],
 }
 
-/// What decides stability, at one instant.
+/// Quantities that decide stability, at one instant.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Seen {
     /// Stability angle σ, rad.
@@ -62,7 +62,7 @@ impl Extremes {
         -pull.min(push)
     }
 
-    /// How far a strut of a leg was shortened and lengthened, ft.
+    /// Returns how far a strut of a leg was shortened and lengthened, ft.
     pub(super) fn strokes(&self, leg: usize, strut: usize) -> [f64; 2] {
         let [longer, shorter] = self.strut(leg, strut);
         [-shorter, -longer]

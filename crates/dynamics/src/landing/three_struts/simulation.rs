@@ -7,18 +7,18 @@ use crate::equations::three_struts::{Motion, Pieces, Signals, State};
 use crate::integrator::event::{Guard, Sample, first_exit};
 use crate::integrator::step::Step;
 use crate::integrator::step_control::{LONGEST, SHORTEST, StepControl};
-use crate::landing::UnderWay;
 use crate::landing::events::MOST_CHANGES;
 use crate::landing::history::History;
-use crate::landing::record::{Beyond, Landing};
+use crate::landing::record::Landing;
 use crate::landing::rest::Rest;
 use crate::landing::simulation::{FIRST_STEP, MOST_STEPS};
 use crate::landing::steadiness::Steadiness;
-use crate::landing::toppling::{Toppling, has_fallen};
+use crate::landing::toppling::Toppling;
 use crate::landing::touchdown::body_at_touchdown;
 use crate::landing::trajectory::{event_resolution, work_error};
+use crate::landing::{UnderWay, with_verdict};
 use crate::laws::three_struts::{LegLaws, LegMode, SIGNALS};
-use crate::outcome::{Class, Failure, Outcome};
+use crate::outcome::{Failure, Outcome};
 use crate::per_leg::{MOST_LEGS, PerLeg};
 use crate::registers::Single;
 use crate::rules::RestRule;
@@ -60,7 +60,7 @@ pub(in crate::landing) struct Simulation<'o> {
     control: StepControl,
     steadiness: Steadiness,
     rest: Rest,
-    /// What is seen now.
+    /// Present look at stability.
     pub(super) seen: Seen,
     pub(super) extremes: Extremes,
     toppling: Toppling,
@@ -302,10 +302,9 @@ impl<'o> Simulation<'o> {
     /// toppled.
     fn note_beyond(&mut self, passed: f64) -> bool {
         let Seen { angle, clearance } = self.seen;
-        self.toppling.note(angle <= 0.0, passed, || {
-            clearance < 0.0
-                || self.modes.iter().any(LegMode::is_pressed)
-                || has_fallen(&self.step.after.body())
+        let body = || self.step.after.body();
+        (self.toppling).note(angle <= 0.0, passed, clearance, body, || {
+            self.modes.iter().any(LegMode::is_pressed)
         })
     }
 
@@ -383,24 +382,15 @@ impl UnderWay for Simulation<'_> {
         self.report_last();
     }
 
-    /// The outcome of a landing that went on beyond its verdict is the verdict. One that ends otherwise than stable while
-    /// its CG is beyond the feet has toppled.
     fn result(&self, outcome: Outcome) -> Landing {
-        let topples = self.toppling.is_beyond() && outcome.class() != Class::Stable;
-        let toppled = topples.then_some((Outcome::UnstableToppled, self.time));
-        let Some((verdict, time)) = self.noted.clone().or(toppled) else {
-            return self.account(outcome);
-        };
-        if !self.settings.goes_on() {
-            return self.account(verdict);
-        }
-        Landing {
-            beyond: Some(Beyond {
-                verdict_time: time,
-                end: outcome,
-            }),
-            ..self.account(verdict)
-        }
+        let topples = self.toppling.is_beyond().then_some(self.time);
+        with_verdict(
+            self.noted.clone(),
+            topples,
+            outcome,
+            &self.settings,
+            |outcome| self.account(outcome),
+        )
     }
 }
 

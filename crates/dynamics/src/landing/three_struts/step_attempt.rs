@@ -11,6 +11,7 @@ use crate::registers::{Registers, Single};
 /// Rate of decay and angular frequency of the fastest motion of a foot, times the length of a step, from which on the step is
 /// implicit: an explicit one would be near its limit of stability.
 const STIFF: [f64; 2] = [3.0, 1.6];
+
 impl Simulation<'_> {
     /// Attempts a step of this length (s). Returns its error in units of the tolerance.
     pub(super) fn attempt(&mut self, length: f64) -> f64 {
