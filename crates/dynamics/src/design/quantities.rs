@@ -7,7 +7,7 @@ use super::quantity::{Field, Quantity, Range, Usual};
 use crate::parts::{
     Block, Body, Damper, Footpad, Honeycomb, Inertia, LegDesign, Linkage, PadEdge, Strut,
 };
-use crate::three_struts::{BallFootpad, Foot, LegStrut, ThreeStrutDesign};
+use crate::three_struts::{BallFootpad, Foot, LegStrut, Telescope, ThreeStrutDesign};
 
 use Usual::{Around, Beside, Between, Times};
 
@@ -208,12 +208,31 @@ pub const FOOT: [Field<Foot>; 3] = [
         "foot_mass_slug", POSITIVE, "mass of the foot, which `mass_slug` leaves out, likewise")),
 ];
 
-/// Distance of the collar of a leg of kind `"cantilever"` from its primary strut's hardpoint.
-pub const COLLAR: Quantity = Quantity::new(
-    "collar_ft", POSITIVE,
-    "distance along the primary strut from its hardpoint to where the secondary struts end; `\"cantilever\"` only")
-    .also("less than the primary strut is long when it bottoms")
-    .usually(Times(0.75, 1.25));
+/// The primary strut of a leg of kind `"cantilever"`.
+pub const TELESCOPE: [Field<Telescope>; 4] = [
+    field!(collar: new(
+        "collar_ft", POSITIVE,
+        "distance along the primary strut from its hardpoint to where the secondary struts end; `\"cantilever\"` only")
+        .also("less than the primary strut is long when it bottoms")
+        .usually(Times(0.75, 1.25))),
+    field!(bearing_friction: new(
+        "bearing_friction", NOT_NEGATIVE,
+        "friction coefficient of the bearings on which the piston of the primary strut slides in its cylinder; `\"cantilever\"` only")
+        .default(0.0)
+        .usually(Between(0.0, 0.5))),
+    field!(bearing_overhang: new(
+        "bearing_overhang_ft", NOT_NEGATIVE,
+        "distance at rest from the lower bearing, at the end of the cylinder, to the foot, likewise")
+        .also("where there is `bearing_friction` more than the compression stroke, and the bearing beyond the collar")
+        .default(0.0)
+        .usually(Times(0.75, 1.25))),
+    field!(bearing_overlap: new(
+        "bearing_overlap_ft", NOT_NEGATIVE,
+        "distance at rest between the bearings, likewise")
+        .also("where there is `bearing_friction` more than the tension stroke, and room for the piston in the cylinder when the strut bottoms")
+        .default(0.0)
+        .usually(Times(0.75, 1.25))),
+];
 
 /// A strut of a leg of three struts.
 pub const LEG_STRUT: [Field<LegStrut>; 7] = [

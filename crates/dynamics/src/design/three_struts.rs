@@ -32,10 +32,30 @@ pub enum Arrangement {
     #[default]
     Tripod,
     /// At a collar of the primary strut's outer cylinder.
-    Cantilever {
-        /// Distance of the collar from the primary strut's hardpoint, ft.
-        collar: f64,
-    },
+    Cantilever(Telescope),
+}
+
+/// A primary strut of an outer cylinder, which secondary struts hold at a collar, and a piston with the foot at its end.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Telescope {
+    /// Distance of the collar from the primary strut's hardpoint, ft.
+    pub collar: f64,
+    /// Friction coefficient of the bearings on which the piston slides. With 0 the lengths below do not matter.
+    pub bearing_friction: f64,
+    /// Distance of the foot at rest from the lower bearing, at the end of the cylinder, ft.
+    pub bearing_overhang: f64,
+    /// Distance at rest between that bearing and the upper one, at the end of the piston, ft.
+    pub bearing_overlap: f64,
+}
+
+impl Telescope {
+    /// A collar at this distance from the primary strut's hardpoint (ft), and bearings without friction.
+    pub fn without_friction(collar: f64) -> Self {
+        Self {
+            collar,
+            ..Self::default()
+        }
+    }
 }
 
 /// The foot of a leg at rest: the end of its primary strut, to which the footpad is hinged.

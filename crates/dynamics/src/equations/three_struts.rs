@@ -4,6 +4,7 @@
 //! which depend on where it is seen from the body; their reaction on the body is the opposite force on the same line. A
 //! kind of leg is no more than the lengths of its struts ([`struts`]).
 
+mod bearing;
 mod leg;
 mod motion;
 mod response;

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use crate::invalid::{Invalid, require};
 use crate::quantities;
 use crate::quantity::check;
-use crate::three_struts::{Arrangement, LegStrut, ThreeStrutDesign};
+use crate::three_struts::{Arrangement, LegStrut, Telescope, ThreeStrutDesign};
 
 /// Least volume that the directions of the three struts span, of the cube that three at right angles span. With less,
 /// the foot moves almost freely in one direction.
@@ -41,15 +41,9 @@ impl ThreeStrutLeg {
                 |stroke| stroke < length,
             )?;
         }
-        if let Arrangement::Cantilever { collar } = design.arrangement {
-            quantities::COLLAR.check("linkage", collar)?;
-            let least = primary - design.primary.compression_stroke;
-            require(
-                "linkage.collar_ft",
-                collar,
-                &format!("less than the primary strut is long when it bottoms, {least:.4} ft"),
-                |collar| collar < least,
-            )?;
+        if let Arrangement::Cantilever(telescope) = &design.arrangement {
+            check("linkage", &quantities::TELESCOPE, telescope)?;
+            check_telescope(telescope, &design.primary, primary)?;
         }
         let [a, b, c] = design.rest_directions();
         require(
@@ -70,6 +64,40 @@ impl ThreeStrutLeg {
     pub fn stance(&self) -> f64 {
         self.0.foot.depth + self.0.footpad.height
     }
+}
+
+/// Checks the collar and the bearings of a primary strut of this `length` at rest, ft.
+fn check_telescope(telescope: &Telescope, strut: &LegStrut, length: f64) -> Result<(), Invalid> {
+    let (collar, least) = (telescope.collar, length - strut.compression_stroke);
+    require(
+        "linkage.collar_ft",
+        collar,
+        &format!("less than the primary strut is long when it bottoms, {least:.4} ft"),
+        |collar| collar < least,
+    )?;
+    if telescope.bearing_friction == 0.0 {
+        return Ok(());
+    }
+    let overhang = telescope.bearing_overhang;
+    let (shortest, longest) = (strut.compression_stroke, length - collar);
+    require(
+        "linkage.bearing_overhang_ft",
+        overhang,
+        &format!(
+            "{shortest:.4} < value ≤ {longest:.4} ft: the foot stays outside of the cylinder, which has the collar on it"
+        ),
+        |overhang| shortest < overhang && overhang <= longest,
+    )?;
+    let (shortest, longest) = (strut.tension_stroke, least - overhang);
+    require(
+        "linkage.bearing_overlap_ft",
+        telescope.bearing_overlap,
+        &format!(
+            "{shortest:.4} < value ≤ {longest:.4} ft: the piston stays inside of the cylinder"
+        ),
+        |overlap| shortest < overlap && overlap <= longest,
+    )?;
+    Ok(())
 }
 
 impl ThreeStrutDesign {
@@ -99,7 +127,7 @@ impl ThreeStrutDesign {
         let along = (foot - hardpoint).normalize();
         let end = match self.arrangement {
             Arrangement::Tripod => foot,
-            Arrangement::Cantilever { collar } => hardpoint + along * collar,
+            Arrangement::Cantilever(Telescope { collar, .. }) => hardpoint + along * collar,
         };
         [foot, end, end]
     }

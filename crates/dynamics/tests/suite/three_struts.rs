@@ -20,12 +20,23 @@ use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
 use touchdown_dynamics::soil::{Bearing, Soil};
 use touchdown_dynamics::three_strut_leg::ThreeStrutLeg;
 use touchdown_dynamics::three_struts::{
-    Arrangement, BallFootpad, Foot, LegStrut, ThreeStrutDesign,
+    Arrangement, BallFootpad, Foot, LegStrut, Telescope, ThreeStrutDesign,
 };
 use touchdown_dynamics::vehicle::{Leg, Legs, Vehicle};
 
 const TRIPOD: Arrangement = Arrangement::Tripod;
-const CANTILEVER: Arrangement = Arrangement::Cantilever { collar: 6.5 };
+const CANTILEVER: Arrangement = cantilever(0.0);
+/// Tripods, and cantilevers without and with friction of their bearings.
+const KINDS: [Arrangement; 3] = [TRIPOD, CANTILEVER, cantilever(0.1)];
+
+const fn cantilever(bearing_friction: f64) -> Arrangement {
+    Arrangement::Cantilever(Telescope {
+        collar: 6.5,
+        bearing_friction,
+        bearing_overhang: 5.0,
+        bearing_overlap: 4.0,
+    })
+}
 
 fn load(knots: &[[f64; 2]]) -> Option<CrushLoad> {
     Some(CrushLoad::new(knots.to_vec()).unwrap())
@@ -153,7 +164,7 @@ fn wild(nth: usize) -> (Vehicle, Conditions) {
         soil,
         ..,
     ] = numbers;
-    let arrangement = if kind > 0.0 { TRIPOD } else { CANTILEVER };
+    let arrangement = KINDS[(1.5 * (kind + 1.0)) as usize];
     let vehicle = lander(arrangement, 3 + ((legs + 1.0) * 2.0) as usize, INERTIA);
     let bearing = || Bearing::new(4000.0, 0.4, 1.0, 0.02).unwrap();
     let conditions = Conditions {
@@ -213,7 +224,7 @@ fn wild_landings_end_and_their_energy_accounts_close() {
 #[test]
 fn turned_and_mirrored_landings_are_alike() {
     let even = even_inertia(17_000.0);
-    for arrangement in [TRIPOD, CANTILEVER] {
+    for arrangement in KINDS {
         let vehicle = lander(arrangement, 4, even);
         let rolled = |roll: f64, cross_slope: f64| {
             let attitude = Attitude::from_euler(Euler {
@@ -259,7 +270,7 @@ fn turned_and_mirrored_landings_are_alike() {
 /// the secondary struts and the force on the body while the primary struts crush under a constant load.
 #[test]
 fn struts_that_crush_slow_the_body_as_in_closed_form() {
-    for arrangement in [TRIPOD, CANTILEVER] {
+    for arrangement in KINDS {
         let legs: Vec<ThreeStrutLeg> = (0..4)
             .map(|index| {
                 let mut design = leg(arrangement, f64::from(index) / 4.0 * TAU);
@@ -273,9 +284,17 @@ fn struts_that_crush_slow_the_body_as_in_closed_form() {
             })
             .collect();
         let [primary, secondary] = pushes(legs[0].design());
-        // Horizontally: P p + 2 S s = 0.
-        let load = -4500.0 * primary[0] / (2.0 * secondary[0]);
-        let force = 4500.0 * primary[1] + 2.0 * load * secondary[1];
+        // Horizontally: P p + 2 S s = 0, and friction of the bearings adds its part of the side load 2 |S s| to P.
+        let side_load = (primary[0] / secondary[0]).abs() * f64::hypot(secondary[0], secondary[1]);
+        let rubbing = match arrangement {
+            Arrangement::Tripod => 0.0,
+            Arrangement::Cantilever(telescope) => {
+                telescope.bearing_friction * (1.0 + 2.0 * 5.0 / 4.0)
+            }
+        };
+        let crushed = 4500.0 / (1.0 - rubbing * side_load);
+        let load = -crushed * primary[0] / (2.0 * secondary[0]);
+        let force = crushed * primary[1] + 2.0 * load * secondary[1];
         let vehicle = Vehicle::new(480.0, 5.31, 4.0, even_inertia(17_000.0), legs).unwrap();
         let scene = Scene::new(Conditions {
             vertical_velocity: 5.0,
@@ -311,7 +330,7 @@ fn pushes(design: &ThreeStrutDesign) -> [[f64; 2]; 2] {
     let along = (foot - upper).normalize();
     let own = match design.arrangement {
         Arrangement::Tripod => (foot - side).normalize(),
-        Arrangement::Cantilever { collar } => {
+        Arrangement::Cantilever(Telescope { collar, .. }) => {
             let toward = (upper + along * collar - side).normalize();
             (toward - along * along.dot(&toward)) * (collar / (foot - upper).norm())
         }
@@ -434,7 +453,7 @@ fn difference_from_hinged_legs(stiffer: f64) -> f64 {
 /// Tighter tolerances come closer to the same landing, in proportion.
 #[test]
 fn landings_converge_with_the_tolerance() {
-    for arrangement in [TRIPOD, CANTILEVER] {
+    for arrangement in KINDS {
         let vehicle = lander(arrangement, 4, INERTIA);
         let strokes = |tolerance| {
             let conditions = Conditions {
@@ -462,7 +481,7 @@ fn landings_converge_with_the_tolerance() {
 /// At rest the ground bears the weight of body and feet, and each foot stands still.
 #[test]
 fn at_rest_the_ground_bears_the_weight() {
-    for arrangement in [TRIPOD, CANTILEVER] {
+    for arrangement in KINDS {
         let vehicle = lander(arrangement, 4, INERTIA);
         let scene = Scene::new(conditions()).unwrap();
         let (_, instants) = history(&vehicle, &scene, &until(4.0), 0.05);
@@ -575,8 +594,22 @@ fn legs_that_cannot_hold_a_foot_are_refused() {
             "primary.compression_stroke_ft = 20: less than the strut is long at rest",
         ),
         (
-            |leg| leg.arrangement = Arrangement::Cantilever { collar: 12.0 },
+            |leg| leg.arrangement = Arrangement::Cantilever(Telescope::without_friction(12.0)),
             "linkage.collar_ft = 12: less than the primary strut is long when it bottoms",
+        ),
+        (
+            |leg| {
+                leg.arrangement = cantilever(0.1);
+                leg.primary.compression_stroke = 5.5;
+            },
+            "linkage.bearing_overhang_ft = 5: 5.5000 < value ≤ 6.6027 ft: the foot stays outside",
+        ),
+        (
+            |leg| {
+                leg.arrangement = cantilever(0.1);
+                leg.primary.tension_stroke = 4.0;
+            },
+            "linkage.bearing_overlap_ft = 4: 4.0000 < value ≤ 5.4027 ft: the piston stays inside",
         ),
         (
             |leg| leg.spread = 0.01,

@@ -13,7 +13,8 @@ fn cantilever() -> Named {
 /// The same lander with its secondary struts at the feet.
 fn tripod() -> Named {
     let text = include_str!("../../../../sweeps/vehicles/apollo-like.toml");
-    let lines = text.lines().filter(|line| !line.starts_with("collar_m"));
+    let is_kept = |line: &&str| !line.starts_with("collar_m") && !line.starts_with("bearing_");
+    let lines = text.lines().filter(is_kept);
     let text: Vec<&str> = lines.collect();
     of_table(
         "tripod.toml",

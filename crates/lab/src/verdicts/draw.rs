@@ -15,7 +15,7 @@ use touchdown_dynamics::parts::{Inertia, LegDesign, StrutElement};
 use touchdown_dynamics::scene::{Conditions, Scene};
 use touchdown_dynamics::soil::{Bearing, Soil};
 use touchdown_dynamics::three_strut_leg::ThreeStrutLeg;
-use touchdown_dynamics::three_struts::Arrangement;
+use touchdown_dynamics::three_struts::{Arrangement, Telescope};
 use touchdown_dynamics::thrust::Thrust;
 use touchdown_dynamics::vehicle::{Leg, Legs, Vehicle};
 use touchdown_sweep::document::Document;
@@ -242,9 +242,10 @@ impl Stock {
         let apart = TAU / count as f64;
         let arrangement = match random.below(2) {
             0 => Arrangement::Tripod,
-            _ => Arrangement::Cantilever {
-                collar: random.between(1.2, 2.2) * MPS,
-            },
+            _ => {
+                let collar = random.between(1.2, 2.2) * MPS;
+                Arrangement::Cantilever(Telescope::without_friction(collar))
+            }
         };
         let strength = random.log_between(0.4, 4.0);
         let stiffness = random.log_between(0.3, 3.0);

@@ -18,7 +18,7 @@ use crate::document::{Document, Value};
 use crate::input_error::InputError;
 use crate::key_path::KeyPath;
 use crate::library::Library;
-use crate::numbers::{self, definite, joined, keys, named, read};
+use crate::numbers::{self, joined, keys, named, read};
 use crate::section::Section;
 use crate::settings_input::RULES;
 use crate::vehicle_tables::{LOAD, MULTIPLIER, PRESSURE};
@@ -87,9 +87,9 @@ pub(crate) const LEG_KINDS: [(&str, LegKind); 3] = [
 ];
 
 /// Keys of linkages of kind `"cantilever"`.
-const CANTILEVER: [&str; 4] = joined(&[&FOOT, &[quantities::COLLAR.key]]);
+const CANTILEVER: [&str; 7] = joined(&[&FOOT, &keys(&quantities::TELESCOPE)]);
 /// Keys of a table [linkage] of any kind.
-pub(crate) const ANY_LINKAGE: [&str; 10] = joined(&[&["kind"], &LINKAGE, &CANTILEVER]);
+pub(crate) const ANY_LINKAGE: [&str; 13] = joined(&[&["kind"], &LINKAGE, &CANTILEVER]);
 
 /// Tables of a leg, keys of its linkage and keys of its footpad that only legs of some kinds have.
 const TABLES_OF_KINDS: [(&str, &[&str]); 3] = [
@@ -265,9 +265,7 @@ fn legs(own: &[Section], root: &Section) -> Result<Legs, InputError> {
     }
     let legs = legs.map(|((own, entry), linkage)| {
         let arrangement = match kind {
-            LegKind::Cantilever => Arrangement::Cantilever {
-                collar: definite(linkage, &quantities::COLLAR)?,
-            },
+            LegKind::Cantilever => Arrangement::Cantilever(read(linkage, &quantities::TELESCOPE)?),
             _ => Arrangement::Tripod,
         };
         three_struts::leg(own, entry, linkage, arrangement)

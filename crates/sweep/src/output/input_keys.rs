@@ -69,7 +69,7 @@ pub fn tables() -> Vec<KeyTable> {
         table("vehicle.linkage", &vehicle_file::ANY_LINKAGE)
             .with(numbers(&quantities::LINKAGE))
             .with(numbers(&quantities::FOOT))
-            .with(const { [&quantities::COLLAR] }),
+            .with(numbers(&quantities::TELESCOPE)),
         table("vehicle.strut", &vehicle_file::strut_keys())
             .with(numbers(&quantities::STRUT))
             .with(numbers(&quantities::DAMPER))

@@ -39,6 +39,7 @@ fn honeycomb() -> String {
 
 const CANTILEVER: &str = "[linkage]\nkind = \"cantilever\"\nfoot_radius_ft = 6\nfoot_depth_ft = 2\n\
      foot_mass_slug = 0.25\ncollar_ft = 2\n\
+     bearing_friction = 0.1\nbearing_overhang_ft = 2.25\nbearing_overlap_ft = 0.7\n\
      [primary]\nhardpoint_radius_ft = 2.5\nhardpoint_height_ft = 2\nstiffness_lb_per_ft = 1e5\n\
      damping_lb_s_per_ft = 20\ncompression_stroke_ft = 1.5\ntension_stroke_ft = 0.125\n\
      [secondary]\nhardpoint_radius_ft = 2.25\nhardpoint_height_ft = 0.5\nhardpoint_spread_ft = 1.25\n\

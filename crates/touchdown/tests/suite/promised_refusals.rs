@@ -62,7 +62,7 @@ const THREE_STRUTS: [(&str, &str, &str); 5] = [
     ("kind = \"cantilever\"\nfoot", "kind = \"tripod\"\nfoot", r#"surveyor.toml:21: linkage.collar_m = 2: only legs of kind "cantilever" have this, and this one is of kind "tripod""#),
     ("name =", "block = \"none\"\nname =", r#"surveyor.toml:3: block = "none": only legs of kind "hinged" have this, and this one is of kind "cantilever""#),
     ("name =", "rules = \"1966\"\nname =", r#"surveyor.toml:3: rules = "1966": expected "physical": legs of three struts land by no other rules"#),
-    ("azimuth_deg = 90", "azimuth_deg = 90\nlinkage.kind = \"hinged\"", r#"surveyor.toml:66: legs[2].linkage.kind = "hinged": leg 1 is of kind "cantilever" and leg 2 of kind "hinged": expected one kind for all legs"#),
+    ("azimuth_deg = 90", "azimuth_deg = 90\nlinkage.kind = \"hinged\"", r#"surveyor.toml:69: legs[2].linkage.kind = "hinged": leg 1 is of kind "cantilever" and leg 2 of kind "hinged": expected one kind for all legs"#),
     ("hardpoint_spread_m = 0.9", "hardpoint_spread_m = 0.001", "surveyor.toml:16: linkage (volume that the directions of the three struts span) = "),
 ];
 

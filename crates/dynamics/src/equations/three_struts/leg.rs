@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::bearing::{BearingFriction, Bearings};
 use super::state::FootState;
 use super::struts::{Reach, Struts};
 use crate::ground::Patch;
@@ -24,6 +25,7 @@ pub(super) struct Leg<S> {
     pub(super) struts: Struts<S>,
     /// Damping of each strut: lb·s/ft, and lb·s²/ft².
     damping: [[S; 2]; STRUTS],
+    pub(super) bearings: Bearings<S>,
     pub(super) mass: S,
     pub(super) ground: LocalPlane<S>,
     pub(super) pad_height: S,
@@ -35,6 +37,7 @@ pub(super) struct Leg<S> {
 per_lane!(Leg {
     struts,
     damping,
+    bearings,
     mass,
     ground,
     pad_height,
@@ -51,6 +54,8 @@ pub(super) struct LegAction<S> {
     pub(super) reaches: [Reach<S>; STRUTS],
     pub(super) rates: [S; STRUTS],
     pub(super) loads: [S; STRUTS],
+    /// Friction of the primary strut's bearings, which is part of its load.
+    pub(super) bearing: BearingFriction<S>,
     /// Force of the struts on the foot in vehicle axes, lb.
     pub(super) pull: Vector3<S>,
     pub(super) contact: Contact<S>,
@@ -112,6 +117,7 @@ impl Leg<f64> {
             damping: design
                 .struts()
                 .map(|strut: &LegStrut| [strut.damping, strut.square_damping]),
+            bearings: Bearings::new(design),
             mass: design.foot.mass,
             ground: LocalPlane::new(patch, conditions.slope, place),
             pad_height: pad.height,
@@ -146,13 +152,21 @@ impl<S: Real> Leg<S> {
             - body.rate.cross(&place);
         let reaches = self.struts.at(&place);
         let (mut rates, mut loads) = ([S::zero(); STRUTS], [S::zero(); STRUTS]);
-        let mut pull = Vector3::zeros();
         for k in 0..STRUTS {
             let Reach { stroke, push } = &reaches[k];
             rates[k] = -push.dot(&velocity);
             let [damping, _] = self.damping(k, rates[k]);
             loads[k] = pieces.struts[k].at(*stroke) + damping * rates[k];
-            pull += push * loads[k];
+        }
+        let bearing = (self.bearings).friction(
+            reaches[0].stroke,
+            rates[0],
+            &secondary_push(&reaches, &loads),
+        );
+        loads[0] += bearing.load;
+        let mut pull = Vector3::zeros();
+        for k in 0..STRUTS {
+            pull += reaches[k].push * loads[k];
         }
         let normal = self.ground.normal();
         let interference = self.ground.depth_of(&foot.position) + self.pad_height;
@@ -165,6 +179,7 @@ impl<S: Real> Leg<S> {
             reaches,
             rates,
             loads,
+            bearing,
             pull,
             contact: Contact {
                 inward,
@@ -176,6 +191,15 @@ impl<S: Real> Leg<S> {
             interference,
         }
     }
+}
+
+/// Force on the foot under these loads of the secondary struts, lb.
+#[inline(always)]
+pub(super) fn secondary_push<S: Real>(
+    reaches: &[Reach<S>; STRUTS],
+    loads: &[S; STRUTS],
+) -> Vector3<S> {
+    reaches[1].push * loads[1] + reaches[2].push * loads[2]
 }
 
 impl<S: Real> LegAction<S> {

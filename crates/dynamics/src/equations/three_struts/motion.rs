@@ -9,7 +9,7 @@ use crate::integrator::event::SignalValues;
 use crate::kinematics::Surface;
 use crate::lanes::Lanes;
 use crate::laws::three_struts::{
-    INTERFERENCE, LegPieces, LegSignals, SIGNALS, SLIDING, STROKE_RATES, STROKES, STRUTS,
+    INTERFERENCE, LOAD, LegPieces, LegSignals, SIGNALS, SLIDING, STROKE_RATES, STROKES, STRUTS,
 };
 use crate::per_leg::PerLeg;
 use crate::products::times;
@@ -168,10 +168,21 @@ impl Motion {
             let normal = leg.pad_strength * pieces.pad.at(signals[INTERFERENCE]);
             let mut damping = normal * leg.friction * pieces.friction.per_speed(signals[SLIDING]);
             let mut springs = leg.pad_strength * pieces.pad.slope();
+            let mut across = Quad::constant(0.0);
             for k in 0..STRUTS {
-                damping += leg.damping(k, signals[STROKE_RATES.start + k])[1];
+                let (stroke, rate) = (signals[STROKES.start + k], signals[STROKE_RATES.start + k]);
+                let [per_speed, change] = leg.damping(k, rate);
+                damping += change;
                 springs += pieces.struts[k].slope();
+                if k > 0 {
+                    across += (pieces.struts[k].at(stroke) + per_speed * rate).abs();
+                }
             }
+            damping += leg.bearings.greatest_damping(
+                signals[STROKES.start],
+                signals[STROKE_RATES.start],
+                across,
+            );
             let [decay, stiffness] = &mut fastest;
             *decay = decay.max(damping / leg.mass);
             *stiffness = stiffness.max(springs / leg.mass);
@@ -281,6 +292,9 @@ impl Motion {
         let drag = of_leg.friction * pieces.friction.per_speed(sliding_squared);
         LegForces {
             struts: std::array::from_fn(|k| {
+                if k == 0 {
+                    return signals[LOAD];
+                }
                 let (stroke, rate) = (signals[STROKES.start + k], signals[STROKE_RATES.start + k]);
                 pieces.struts[k].at(stroke) + of_leg.damping(k, rate)[0] * rate
             }),

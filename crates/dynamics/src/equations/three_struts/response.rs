@@ -6,9 +6,10 @@
 use nalgebra::{LU, Matrix3, Matrix6, U6, Vector3, Vector6};
 use num_traits::{One, Zero};
 
-use super::leg::{Leg, LegAction, SeenBody};
+use super::leg::{Leg, LegAction, SeenBody, secondary_push};
 use super::motion::{Motion, Pieces};
 use super::state::{FootState, State};
+use super::struts::Reach;
 use crate::integrator::rosenbrock::StageEquations;
 use crate::laws::three_struts::{LegPieces, STRUTS};
 use crate::products::{cross_matrix, inverse, outer, product, times, transposed_times};
@@ -112,6 +113,14 @@ impl Leg<Quad> {
             let push = &action.reaches[k].push;
             strut_damping -= outer(&(push * *damping), push);
         }
+        // Friction of bearings changes with the rate of the stroke, and with the damping of the secondary struts.
+        let bearing = &action.bearing;
+        let along = &action.reaches[0].push;
+        let mut change = along * -bearing.damping;
+        for (Reach { push, .. }, damping) in action.reaches.iter().zip(damping).skip(1) {
+            change -= push * (bearing.by_side_force.dot(push) * damping);
+        }
+        strut_damping += outer(along, &change);
         let mut strut_stiffness = Matrix3::zeros();
         for axis in 0..3 {
             let mut step = Vector3::zeros();
@@ -157,12 +166,20 @@ impl Leg<Quad> {
     ) -> Vector3<Quad> {
         let reaches = self.struts.at(&(action.place + step));
         let velocity = action.velocity - body.rate.cross(step);
-        let mut pushed = Vector3::zeros();
+        let mut loads = action.loads;
+        loads[0] -= action.bearing.load;
         for k in 0..STRUTS {
             let [from, to] = [&action.reaches[k], &reaches[k]];
             let faster = -to.push.dot(&velocity) - action.rates[k];
-            let more = pieces.struts[k].slope() * (to.stroke - from.stroke) + damping[k] * faster;
-            pushed += to.push * (action.loads[k] + more);
+            loads[k] += pieces.struts[k].slope() * (to.stroke - from.stroke) + damping[k] * faster;
+        }
+        let [Reach { stroke, push }, ..] = &reaches;
+        let across = secondary_push(&reaches, &loads);
+        let rate = -push.dot(&velocity);
+        loads[0] += self.bearings.friction(*stroke, rate, &across).load;
+        let mut pushed = Vector3::zeros();
+        for k in 0..STRUTS {
+            pushed += reaches[k].push * loads[k];
         }
         pushed
     }
@@ -333,7 +350,9 @@ mod tests {
     use crate::profile::Profile;
     use crate::scene::{Conditions, Scene};
     use crate::three_strut_leg::ThreeStrutLeg;
-    use crate::three_struts::{Arrangement, BallFootpad, Foot, LegStrut, ThreeStrutDesign};
+    use crate::three_struts::{
+        Arrangement, BallFootpad, Foot, LegStrut, Telescope, ThreeStrutDesign,
+    };
     use crate::vehicle::Vehicle;
 
     fn strut(height: f64) -> LegStrut {
@@ -395,7 +414,18 @@ mod tests {
     /// The equations of a stage take the change of the derivative with the motion as differences of the derivative show it.
     #[test]
     fn the_equations_of_a_stage_are_those_of_the_derivative() {
-        for arrangement in [Arrangement::Tripod, Arrangement::Cantilever { collar: 6.0 }] {
+        let cantilever = Telescope::without_friction(6.0);
+        let with_friction = Telescope {
+            bearing_friction: 0.1,
+            bearing_overhang: 4.0,
+            bearing_overlap: 3.0,
+            ..cantilever
+        };
+        for arrangement in [
+            Arrangement::Tripod,
+            Arrangement::Cantilever(cantilever),
+            Arrangement::Cantilever(with_friction),
+        ] {
             let inertia = Inertia {
                 xx: 900.0,
                 yy: 1000.0,

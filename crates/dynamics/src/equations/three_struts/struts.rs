@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use crate::lanes::per_lane;
 use crate::laws::three_struts::STRUTS;
 use crate::scalar::Real;
-use crate::three_struts::{Arrangement, ThreeStrutDesign};
+use crate::three_struts::{Arrangement, Telescope, ThreeStrutDesign};
 
 /// Geometry of the struts of one leg, in vehicle axes from the CG.
 #[derive(Debug, Clone, Copy)]
@@ -54,7 +54,7 @@ impl Struts<f64> {
         let (foot, hardpoints) = design.places();
         let (collar, ends_at_foot) = match design.arrangement {
             Arrangement::Tripod => (0.0, 1.0),
-            Arrangement::Cantilever { collar } => (collar, 0.0),
+            Arrangement::Cantilever(Telescope { collar, .. }) => (collar, 0.0),
         };
         Self {
             collar,

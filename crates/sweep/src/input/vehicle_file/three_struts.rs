@@ -27,7 +27,7 @@ pub(super) fn own_numbers() -> impl Iterator<Item = (String, &'static Quantity)>
     let strut =
         |table| named(table, &quantities::LEG_STRUT).chain(LOADS.map(|load| scale(table, load)));
     named("linkage", &quantities::FOOT)
-        .chain([one("linkage", const { &quantities::COLLAR })])
+        .chain(named("linkage", &quantities::TELESCOPE))
         .chain(strut("primary"))
         .chain(strut("secondary"))
         .chain([one("secondary", const { &quantities::SPREAD })])

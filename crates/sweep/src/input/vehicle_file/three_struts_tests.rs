@@ -26,12 +26,10 @@ fn close(number: f64, metres: f64) -> bool {
 
 /// The file with `kind = "tripod"`.
 fn tripod() -> String {
-    let collar = APOLLO_LIKE
-        .lines()
-        .find(|line| line.starts_with("collar_m"));
-    APOLLO_LIKE
+    let is_kept = |line: &&str| !line.starts_with("collar_m") && !line.starts_with("bearing_");
+    let kept: Vec<&str> = APOLLO_LIKE.split_inclusive('\n').filter(is_kept).collect();
+    kept.concat()
         .replace("\"cantilever\"\nfoot", "\"tripod\"\nfoot")
-        .replace(collar.unwrap(), "")
 }
 
 #[test]
@@ -40,10 +38,12 @@ fn a_cantilever_leg_is_read_in_feet_and_pounds() {
     assert_eq!(legs.len(), 4);
     let leg = &legs[1];
     assert_eq!(leg.azimuth, 90f64.to_radians());
-    let Arrangement::Cantilever { collar } = leg.arrangement else {
+    let Arrangement::Cantilever(telescope) = leg.arrangement else {
         panic!("no collar");
     };
-    assert!(close(collar, 2.0) && close(leg.foot.radius, 4.26) && close(leg.foot.depth, 1.45));
+    assert!(close(telescope.collar, 2.0) && close(telescope.bearing_overhang, 1.3));
+    assert!(close(telescope.bearing_overlap, 1.2) && telescope.bearing_friction == 0.0);
+    assert!(close(leg.foot.radius, 4.26) && close(leg.foot.depth, 1.45));
     assert!((leg.foot.mass * 14.593902937206364 - 30.0).abs() < 1e-12);
     assert!(close(leg.primary.hardpoint_height, 1.9) && close(leg.spread, 0.9));
     assert_eq!(leg.primary.stiffness, 1e6);
@@ -102,7 +102,7 @@ fn every_number_of_a_leg_is_a_number_of_the_file() {
 
 /// Replaced text of the file, its replacement, and text that the error must contain.
 #[rustfmt::skip]
-const WRONG: [(&str, &str, &str); 13] = [
+const WRONG: [(&str, &str, &str); 14] = [
     ("kind = \"cantilever\"\nfoot", "kind = \"inverted\"\nfoot", "linkage.kind = \"inverted\": expected \"hinged\" or \"tripod\" or \"cantilever\""),
     ("kind = \"cantilever\"\nfoot", "kind = \"tripod\"\nfoot", "linkage.collar_m = 2: only legs of kind \"cantilever\" have this, and this one is of kind \"tripod\""),
     ("kind = \"cantilever\"\nfoot", "foot", "primary = a table: only legs of kind \"tripod\" or \"cantilever\" have this, and this one is of kind \"hinged\""),
@@ -112,6 +112,7 @@ const WRONG: [(&str, &str, &str); 13] = [
     ("diameter_m", "edge_load_n = 9\ndiameter_m", "footpad.edge_load_n = 9: only legs of kind \"hinged\" have this"),
     ("collar_m", "# ", "linkage.collar_ft is missing: expected 0 < value ≤ 1e9 ft, distance along the primary strut"),
     ("collar_m = 2 ", "collar_m = 3.2 ", "linkage.collar_m = 3.2: expected less than the primary strut is long when it bottoms"),
+    ("bearing_friction = 0                    # assumed: none\nbearing_overhang_m = 1.3", "bearing_friction = 0.1\nbearing_overhang_m = 0.5", "linkage.bearing_overhang_m = 0.5: expected"),
     ("compression_stroke_cm = 30.48", "compression_stroke_cm = 150", "secondary.compression_stroke_cm = 150: expected less than the strut is long at rest"),
     ("[primary]\n", "[primary]\nhardpoint_spread_m = 1\n", "primary.hardpoint_spread_m = 1: unknown key"),
     ("azimuth_deg = 180", "azimuth_deg = 180\nlinkage = { kind = \"tripod\" }", "legs[3].linkage.kind = \"tripod\": leg 1 is of kind \"cantilever\" and leg 3 of kind \"tripod\": expected one kind for all legs"),

@@ -69,7 +69,7 @@ impl<'a> ThreeStrutLegs<'a> {
             minimum_length: lengths[k] - struts[k].compression_stroke,
             maximum_length: lengths[k] + struts[k].tension_stroke,
             collar: match design.arrangement {
-                Arrangement::Cantilever { collar } if k > 0 => Some(collar),
+                Arrangement::Cantilever(telescope) if k > 0 => Some(telescope.collar),
                 _ => None,
             },
         };
