@@ -216,7 +216,7 @@ pub const TELESCOPE: [Field<Telescope>; 4] = [
         .also("less than the primary strut is long when it bottoms")
         .usually(Times(0.75, 1.25))),
     field!(bearing_friction: new(
-        "bearing_friction", NOT_NEGATIVE,
+        "bearing_friction", FRICTION,
         "friction coefficient of the bearings on which the piston of the primary strut slides in its cylinder; `\"cantilever\"` only")
         .default(0.0)
         .usually(Between(0.0, 0.5))),

@@ -67,10 +67,13 @@ pub fn text(report: &LandingReport) -> String {
         "footpad contact, s",
         landing.pad_contact.into_iter().map(time),
     );
-    lines.legs(
-        "block contact, s",
-        landing.block_contact.into_iter().map(time),
-    );
+    let hinged_legs = report.vehicle.vehicle.hinged_legs();
+    if hinged_legs.iter().any(|leg| leg.design().block.is_some()) {
+        lines.legs(
+            "block contact, s",
+            landing.block_contact.into_iter().map(time),
+        );
+    }
     let force = units.quantity("strut_force_lb");
     lines.legs(
         &format!("largest strut force, {}", force.unit()),
@@ -100,10 +103,10 @@ pub fn text(report: &LandingReport) -> String {
     }
     let energy = units.quantity("energy_ftlb");
     let closure = energy.number(energies.closure());
-    let thrust = ("+ work of the thrust", energies.thrust);
     let terms = [
         ("kinetic energy at contact", energies.initial_kinetic),
         ("+ potential energy released", energies.potential_change),
+        ("+ work of the thrust", energies.thrust),
         ("- struts", work(|leg| leg.strut)),
         ("- footpads, crushing", work(|leg| leg.pad_crush)),
         ("- footpads, sliding", work(|leg| leg.pad_friction)),
@@ -112,9 +115,8 @@ pub fn text(report: &LandingReport) -> String {
         ("- stops", work(|leg| leg.stop)),
         ("- kinetic energy at the end", energies.final_kinetic),
     ];
-    let (gained, spent) = terms.split_at(2);
-    let thrust = Some(&thrust).filter(|(_, work)| *work != 0.0);
-    for &(name, value) in gained.iter().chain(thrust).chain(spent) {
+    // What neither gave nor took any is left out.
+    for (name, value) in terms.into_iter().filter(|(_, value)| *value != 0.0) {
         let (value, unit) = (energy.number(value), energy.unit());
         lines.add(name, format!("{value:>14.4} {unit}"));
     }
