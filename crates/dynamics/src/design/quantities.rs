@@ -299,55 +299,70 @@ quantities! {
     /// Touchdown conditions of the whole vehicle.
     CONDITIONS:
     VERTICAL_VELOCITY = new("vertical_velocity_fps", SPEED, "downward velocity V_V of the CG")
+        .titled("Vertical velocity V_V")
         .usually(Between(0.0, 30.0));
     HORIZONTAL_VELOCITY = new(
         "horizontal_velocity_fps", SPEED, "horizontal velocity V_H of the CG")
+        .titled("Horizontal velocity V_H")
         .usually(Between(0.0, 30.0));
     CROSS_SLOPE = new(
         "cross_slope_deg", TURNS, "direction λ of V_H: 180 is straight downhill, 0 uphill")
+        .titled("Cross-slope angle λ")
         .usually(HALF_TURNS);
     SLOPE = new("slope_deg", ACUTE, "slope θ_s of the surface")
+        .titled("Slope θ")
         .of(GROUND)
         .usually(Between(-30.0, 45.0));
     PAD_FRICTION = new(
         "friction", FRICTION, "nominal friction coefficient μ0 between footpads and surface")
+        .titled("Friction coefficient μ")
         .of(GROUND)
         .usually(Between(0.0, 2.0));
     BLOCK_FRICTION = new("block_friction", FRICTION, "the same between body blocks and surface")
+        .titled("Friction coefficient of the blocks")
         .of(GROUND)
         .by_default("`friction`")
         .usually(Between(0.0, 2.0));
     PITCH = new("pitch_deg", TURNS, "pitch Ψ, about the horizontal X axis across the slope")
+        .titled("Pitch angle Ψ")
         .of(ATTITUDE)
         .default(0.0)
         .usually(LEVEL);
     YAW = new("yaw_deg", TURNS, "yaw Φ, about the once-turned y axis")
+        .titled("Yaw angle Φ")
         .of(ATTITUDE).default(0.0).usually(LEVEL);
     ROLL = new("roll_deg", TURNS, "roll Ξ, about the centreline")
+        .titled("Roll angle Ξ")
         .of(ATTITUDE).default(0.0).usually(HALF_TURNS);
     TIP = new(
         "tip_deg", Range::closed(0.0, 180.0), "tip form: angle ν between centreline and vertical")
+        .titled("Tip angle ν")
         .of(ATTITUDE)
         .by_default("the other form")
         .usually(Between(0.0, 45.0));
     TIP_AZIMUTH = new(
         "tip_azimuth_deg", TURNS, "tip form: azimuth Γ of the axis about which the vehicle is tipped")
+        .titled("Tip azimuth Γ")
         .of(ATTITUDE)
         .by_default("the other form")
         .usually(HALF_TURNS);
     NOMINAL_ROLL = new(
         "nominal_roll_deg", TURNS, "tip form: roll K about the centreline before tipping")
+        .titled("Nominal roll angle K")
         .of(ATTITUDE)
         .default(0.0)
         .usually(HALF_TURNS);
     ANGULAR_VELOCITY_X = new(
         "angular_velocity_x_dps", TURNS, "angular velocity about the vehicle's x axis")
+        .titled("Angular velocity about x")
         .of(ATTITUDE)
         .default(0.0)
         .usually(RATES);
     ANGULAR_VELOCITY_Y = new("angular_velocity_y_dps", TURNS, "the same about y")
+        .titled("Angular velocity about y")
         .of(ATTITUDE).default(0.0).usually(RATES);
     ANGULAR_VELOCITY_Z = new("angular_velocity_z_dps", TURNS, "the same about z")
+        .titled("Angular velocity about z")
         .of(ATTITUDE).default(0.0).usually(RATES);
     GRAVITY = new("gravity_fps2", POSITIVE, "acceleration of gravity where the vehicle lands")
         .of(GROUND)

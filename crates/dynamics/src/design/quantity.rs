@@ -130,6 +130,8 @@ pub struct Quantity {
     pub if_missing: IfMissing,
     /// Meaning, with the symbol of the model.
     pub meaning: &'static str,
+    /// Title of its axis in pictures, with the symbol but without the unit; none if the words of the key say it.
+    pub title: Option<&'static str>,
     /// Values among which one usually looks.
     pub usual: Usual,
     /// Group in lists of numbers; none if its table is the group.
@@ -145,8 +147,17 @@ impl Quantity {
             relation: "",
             if_missing: IfMissing::Required,
             meaning,
+            title: None,
             usual: Usual::Times(0.25, 2.0),
             group: None,
+        }
+    }
+
+    /// Gives its axis a title.
+    pub const fn titled(self, title: &'static str) -> Self {
+        Self {
+            title: Some(title),
+            ..self
         }
     }
 

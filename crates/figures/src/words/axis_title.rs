@@ -1,47 +1,25 @@
 //! Titles of axes: names of columns in words and symbols, with units.
 
+use touchdown_dynamics::quantities;
+
 use crate::parameter_words::parameter_words;
 use crate::unit::split_unit;
 
-/// Columns with a symbol in their title, or with other words than their names.
-const TITLES: [(&str, &str); 22] = [
-    ("vertical_velocity_fps", "Vertical velocity V_V, ft/s"),
-    ("horizontal_velocity_fps", "Horizontal velocity V_H, ft/s"),
-    ("cross_slope_deg", "Cross-slope angle λ, deg"),
-    ("slope_deg", "Slope θ, deg"),
-    ("friction", "Friction coefficient μ"),
-    ("block_friction", "Friction coefficient of the blocks"),
-    ("pitch_deg", "Pitch angle Ψ, deg"),
-    ("yaw_deg", "Yaw angle Φ, deg"),
-    ("roll_deg", "Roll angle Ξ, deg"),
-    ("tip_deg", "Tip angle ν, deg"),
-    ("tip_azimuth_deg", "Tip azimuth Γ, deg"),
-    ("nominal_roll_deg", "Nominal roll angle K, deg"),
-    ("x_ft", "Position across, ft"),
-    ("y_ft", "Position up the slope, ft"),
-    ("z_ft", "Position down, ft"),
-    ("x_rate_fps", "Velocity across, ft/s"),
-    ("y_rate_fps", "Velocity up the slope, ft/s"),
-    ("z_rate_fps", "Velocity down, ft/s"),
-    ("angular_velocity_x_dps", "Angular velocity about x, deg/s"),
-    ("angular_velocity_y_dps", "Angular velocity about y, deg/s"),
-    ("angular_velocity_z_dps", "Angular velocity about z, deg/s"),
-    ("sigma_deg", "Stability angle σ, deg"),
+/// Columns of histories with other words than their names, without their units.
+const OF_HISTORIES: [(&str, &str); 7] = [
+    ("x", "Position across"),
+    ("y", "Position up the slope"),
+    ("z", "Position down"),
+    ("x_rate", "Velocity across"),
+    ("y_rate", "Velocity up the slope"),
+    ("z_rate", "Velocity down"),
+    ("sigma", "Stability angle σ"),
 ];
 
 /// The title of the axis of a column: its name in words with its unit.
 pub fn axis_title(column: &str) -> String {
-    if let Some((_, title)) = TITLES.iter().find(|(name, _)| *name == column) {
-        return (*title).to_owned();
-    }
-    let (bare, unit) = split_unit(column);
-    // The same quantity in another unit.
-    let titled = TITLES.iter().find(|(name, _)| split_unit(name).0 == bare);
-    let words = match titled.and_then(|(_, title)| title.rsplit_once(", ")) {
-        Some((words, _)) => words.to_owned(),
-        None => capitalized(&leg_last(&parameter_words(column))),
-    };
-    match unit {
+    let words = bare_title(column);
+    match split_unit(column).1 {
         "" => words,
         unit => format!("{words}, {unit}"),
     }
@@ -49,9 +27,18 @@ pub fn axis_title(column: &str) -> String {
 
 /// The title of the axis of a column without its unit.
 pub fn bare_title(column: &str) -> String {
-    let title = axis_title(column);
-    let bare = title.strip_suffix(split_unit(column).1).unwrap_or(&title);
-    bare.trim_end_matches([' ', ',']).to_owned()
+    let (bare, _) = split_unit(column);
+    let of_history = OF_HISTORIES.iter().find(|(name, _)| *name == bare);
+    let of_input = || {
+        let mut conditions = quantities::CONDITIONS.iter();
+        conditions
+            .find(|quantity| split_unit(quantity.key).0 == bare)?
+            .title
+    };
+    match of_history.map(|(_, title)| *title).or_else(of_input) {
+        Some(title) => title.to_owned(),
+        None => capitalized(&leg_last(&parameter_words(column))),
+    }
 }
 
 /// A column in words, without its unit, for a sentence or a legend.
