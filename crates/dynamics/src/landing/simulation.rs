@@ -6,17 +6,17 @@ use super::history::History;
 use super::rest::Rest;
 use super::steadiness::Steadiness;
 use super::step_attempt::{StepKind, TakeStep, Workspace};
-use super::trajectory::{Earlier, Trajectory};
+use super::trajectory::Trajectory;
 use super::verdict::StabilityTrack;
 use super::with_verdict;
 use crate::integrator::step::Step;
 use crate::integrator::step_control::{LONGEST, SHORTEST, StepControl};
 use crate::outcome::{Failure, Outcome};
-use crate::per_leg::PerLeg;
 use crate::record::Landing;
 use crate::registers::Registers;
 use crate::rules::RestRule;
 use crate::scene::{Scene, Settings};
+use crate::stability::Verdict;
 use crate::vehicle::Vehicle;
 
 /// First step after touchdown, s.
@@ -39,6 +39,29 @@ pub(crate) enum NextStart {
     StepEnd,
     /// At an event or kink within the step, or after free flight.
     Elsewhere,
+}
+
+/// What ends a step.
+enum StepEnd {
+    /// Nothing before its end.
+    Whole,
+    /// A change of a law; the signals there are in one of the `buffers`.
+    Law { buffer: usize },
+    /// A gentle kink of a law.
+    Kink,
+    /// A verdict that ends the landing.
+    Verdict(Verdict),
+}
+
+impl StepEnd {
+    /// The buffer with the signals of a change of a law.
+    #[inline(always)]
+    fn buffer(&self) -> Option<usize> {
+        match *self {
+            Self::Law { buffer } => Some(buffer),
+            Self::Whole | Self::Kink | Self::Verdict(_) => None,
+        }
+    }
 }
 
 /// A landing under way, with its next step.
@@ -340,97 +363,133 @@ impl<'o> Simulation<'o> {
     /// Body of `finish_step`, compiled for any registers.
     #[inline(always)]
     fn finish_step_in_registers(&mut self) -> Result<NextStart, Outcome> {
-        let Self {
-            trajectory,
-            stability,
-            steadiness,
-            rest,
-            control,
-            burst,
-            noted,
-            ..
-        } = self;
-        let length = trajectory.step.length;
-        if !trajectory.step.after.is_finite() {
+        if !self.trajectory.step.after.is_finite() {
             return Err(Outcome::Failure(Failure::NonFinite));
         }
-        trajectory.steps += 1;
-        let event = trajectory.find_event();
-        let reach = event.map_or(1.0, |(theta, _)| theta);
-        let kink = if trajectory.locates_kinks {
-            trajectory.kink_before(reach)
-        } else {
-            None
+        self.trajectory.steps += 1;
+        let (reach, end) = self.first_end();
+        self.note_until(reach, &end);
+        let next = match end {
+            StepEnd::Verdict(verdict) => {
+                self.trajectory.move_to(reach);
+                return Err(verdict.into());
+            }
+            StepEnd::Law { buffer } => self.change_laws(reach, buffer)?,
+            StepEnd::Kink => self.start_at_kink(reach),
+            StepEnd::Whole => self.start_at_end(),
         };
-        let event = event.filter(|_| kink.is_none());
-        let reach = kink.unwrap_or(reach);
-        let judged = if noted.is_some() {
-            trajectory.follow_clearance(stability, reach);
-            None
-        } else {
-            trajectory.judge_step(stability, reach, event.map(|(_, buffer)| buffer))
+        self.judge_rest()?;
+        Ok(next)
+    }
+
+    /// The earliest of what ends the step, and its fraction. A verdict beyond which the landing goes on is noted instead.
+    #[inline(always)]
+    fn first_end(&mut self) -> (f64, StepEnd) {
+        let (trajectory, stability) = (&mut self.trajectory, &mut self.stability);
+        let (mut reach, mut end) = match trajectory.find_event() {
+            Some((theta, buffer)) => (theta, StepEnd::Law { buffer }),
+            None => (1.0, StepEnd::Whole),
         };
-        // A landing that goes on only notes its verdict.
-        if let Some((theta, verdict)) = judged
-            && trajectory.settings.goes_on()
+        if trajectory.locates_kinks
+            && let Some(theta) = trajectory.kink_before(reach)
         {
-            *noted = Some((verdict.into(), trajectory.time_at(theta)));
+            (reach, end) = (theta, StepEnd::Kink);
         }
-        let verdict_found = judged.filter(|_| noted.is_none());
-        let reach = verdict_found.map_or(reach, |(theta, _)| theta);
+        if self.noted.is_some() {
+            trajectory.follow_clearance(stability, reach);
+        } else if let Some((theta, verdict)) = trajectory.judge_step(stability, reach, end.buffer())
+        {
+            if trajectory.settings.goes_on() {
+                self.noted = Some((verdict.into(), trajectory.time_at(theta)));
+            } else {
+                (reach, end) = (theta, StepEnd::Verdict(verdict));
+            }
+        }
+        (reach, end)
+    }
+
+    /// Notes history, work and strut peaks up to fraction `reach`, where the step ends, and goes on to that time.
+    #[inline(always)]
+    fn note_until(&mut self, reach: f64, end: &StepEnd) {
+        let trajectory = &mut self.trajectory;
         trajectory.report(reach);
         trajectory.thrust_work = trajectory.thrust_work_at(reach);
-        if verdict_found.is_some() || kink.is_some() {
-            trajectory.buffers[0] = trajectory.signals_at(reach);
-            trajectory.note_struts(Some(0), reach);
-        } else {
-            trajectory.note_struts(event.map(|(_, buffer)| buffer), reach);
-        }
-        trajectory.time += reach * length;
-        let goes_to_end = event.is_none() && kink.is_none();
-        if let Some((_, verdict)) = verdict_found {
-            trajectory.move_to(reach);
-            return Err(verdict.into());
-        }
-        if let Some((_, buffer)) = event {
-            trajectory.move_to(reach);
-            (trajectory.signals.start_mut()).assign(&trajectory.buffers[buffer]);
-            trajectory.earlier = None;
-            control.restart();
-            trajectory.cross()?;
-            trajectory.settle()?;
-            if trajectory.events - burst.0 > BURST {
-                if trajectory.time - burst.1 < BURST_TIME {
-                    return Err(Outcome::Failure(Failure::Chattering));
-                }
-                *burst = (trajectory.events, trajectory.time);
+        let buffer = match end {
+            StepEnd::Verdict(_) | StepEnd::Kink => {
+                trajectory.buffers[0] = trajectory.signals_at(reach);
+                Some(0)
             }
-        } else {
-            let start = &trajectory.step.slopes[0];
-            let link_accelerations = PerLeg::from_fn(start.leg_count(), |j| start.link_rate(j));
-            trajectory.signals.advance();
-            if kink.is_some() {
-                trajectory.move_to(reach);
-                trajectory.events += 1;
-                trajectory.evaluate();
-            } else {
-                let Step {
-                    before,
-                    after,
-                    slopes: [first, .., last],
-                    ..
-                } = &mut trajectory.step;
-                before.assign(after);
-                first.assign(last);
+            StepEnd::Law { .. } | StepEnd::Whole => end.buffer(),
+        };
+        trajectory.note_struts(buffer, reach);
+        trajectory.time = trajectory.time_at(reach);
+    }
+
+    /// Goes to fraction `reach`, where a law changes, and sets the laws that hold from there on.
+    ///
+    /// # Errors
+    /// The outcome, if the change of laws ends the landing.
+    #[inline(always)]
+    fn change_laws(&mut self, reach: f64, buffer: usize) -> Result<NextStart, Outcome> {
+        let trajectory = &mut self.trajectory;
+        trajectory.move_to(reach);
+        (trajectory.signals.start_mut()).assign(&trajectory.buffers[buffer]);
+        trajectory.earlier = None;
+        self.control.restart();
+        trajectory.cross()?;
+        trajectory.settle()?;
+        let (events, since) = self.burst;
+        if trajectory.events - events > BURST {
+            if trajectory.time - since < BURST_TIME {
+                return Err(Outcome::Failure(Failure::Chattering));
             }
-            trajectory.earlier = Some(Earlier {
-                link_accelerations,
-                length: reach * length,
-            });
+            self.burst = (trajectory.events, trajectory.time);
         }
-        steadiness.note(trajectory.time, stability.angle());
+        Ok(NextStart::Elsewhere)
+    }
+
+    /// Goes to fraction `reach`, where a law bends.
+    #[inline(always)]
+    fn start_at_kink(&mut self, reach: f64) -> NextStart {
+        let trajectory = &mut self.trajectory;
+        trajectory.remember_step(reach);
+        trajectory.move_to(reach);
+        trajectory.events += 1;
+        trajectory.evaluate();
+        NextStart::Elsewhere
+    }
+
+    /// Goes to the end of the step.
+    #[inline(always)]
+    fn start_at_end(&mut self) -> NextStart {
+        let trajectory = &mut self.trajectory;
+        trajectory.remember_step(1.0);
+        let Step {
+            before,
+            after,
+            slopes: [first, .., last],
+            ..
+        } = &mut trajectory.step;
+        before.assign(after);
+        first.assign(last);
+        NextStart::StepEnd
+    }
+
+    /// Judges whether the motion is over, and recentres laws that bend gently.
+    ///
+    /// # Errors
+    /// The outcome, if it is over and the landing does not go on beyond that.
+    #[inline(always)]
+    fn judge_rest(&mut self) -> Result<(), Outcome> {
+        let Self {
+            trajectory,
+            steadiness,
+            rest,
+            ..
+        } = self;
+        steadiness.note(trajectory.time, self.stability.angle());
         let at_rest = match rest {
-            Some(rest) if noted.is_none() => rest.note(trajectory),
+            Some(rest) if self.noted.is_none() => rest.note(trajectory),
             _ => false,
         };
         let end = if at_rest {
@@ -442,14 +501,10 @@ impl<'o> Simulation<'o> {
             None
         };
         trajectory.follow();
-        if let Some(outcome) = end {
-            self.conclude(outcome)?;
+        match end {
+            Some(outcome) => self.conclude(outcome),
+            None => Ok(()),
         }
-        Ok(if goes_to_end {
-            NextStart::StepEnd
-        } else {
-            NextStart::Elsewhere
-        })
     }
 
     /// Result of the landing.

@@ -182,6 +182,17 @@ impl<'o> Trajectory<'o> {
         }
     }
 
+    /// Makes the step up to fraction `reach` the previous one.
+    #[inline(always)]
+    pub(super) fn remember_step(&mut self, reach: f64) {
+        let start = &self.step.slopes[0];
+        self.earlier = Some(Earlier {
+            link_accelerations: PerLeg::from_fn(start.leg_count(), |j| start.link_rate(j)),
+            length: reach * self.step.length,
+        });
+        self.signals.advance();
+    }
+
     /// Number of legs.
     pub(super) fn leg_count(&self) -> usize {
         self.motion.leg_count()
