@@ -15,7 +15,7 @@ use crate::integrator::event::{Bounds, Exit};
 use crate::leg_pieces::{EdgePiece, LegPieces};
 use crate::outcome::{Failure, Outcome};
 use crate::rules::{ContactRule, CrushRule};
-use crate::signal::{LegSignals, Signal};
+use crate::signal::{LegSignals, Signal, by_signal};
 use crate::strut::{GentleKinks, Stance};
 
 pub use choice::Choice;
@@ -266,44 +266,44 @@ impl LegMode {
         let (outer, outer_law) = self.outer(laws);
         let inner = &self.pad[1];
         let is_on_face = !self.is_on_edge;
-        [
-            interference(
+        by_signal![
+            OuterInterference: interference(
                 outer,
                 outer_law,
                 self.pad_has_touched,
                 self.pad_height(laws),
             ),
-            only(
+            InnerInterference: only(
                 is_on_face,
                 interference(inner, &laws.pad, self.pad_has_touched, laws.heights.pad),
             ),
-            interference(
+            BlockInterference: interference(
                 &self.block,
                 &laws.block,
                 self.block_has_touched,
                 laws.heights.block,
             ),
-            (self.stance.stroke_bounds(&laws.strut)).meet(self.cartridge_bounds(laws)),
-            outer.rate_bounds(),
-            only(is_on_face, inner.rate_bounds()),
-            self.block.rate_bounds(),
-            self.cartridge.rate_bounds(),
-            only(
+            Stroke: (self.stance.stroke_bounds(&laws.strut)).meet(self.cartridge_bounds(laws)),
+            OuterRate: outer.rate_bounds(),
+            InnerRate: only(is_on_face, inner.rate_bounds()),
+            BlockRate: self.block.rate_bounds(),
+            StrokeRate: self.cartridge.rate_bounds(),
+            PivotRate: only(
                 by_pivot && is_on_face,
                 outer.drive_bounds().meet(inner.drive_bounds()),
             ),
-            only(by_pivot, self.block.drive_bounds()),
-            only(pad_loaded, self.pad_sliding.bounds(laws.friction)),
-            only(
+            BlockCentreRate: only(by_pivot, self.block.drive_bounds()),
+            PadSliding: only(pad_loaded, self.pad_sliding.bounds(laws.friction)),
+            BlockSliding: only(
                 self.block.is_loaded(),
                 self.block_sliding.bounds(laws.friction),
             ),
-            self.stance.rate_bounds(&laws.strut),
-            self.stance.torque_bounds(laws.least_push),
-            self.hinge.turn_bounds(laws.stops),
-            self.hinge.rate_bounds(),
-            self.hinge.drive_bounds(laws.stops),
-            self.inclination_bounds(laws),
+            LinkRate: self.stance.rate_bounds(&laws.strut),
+            LinkTorque: self.stance.torque_bounds(laws.least_push),
+            PadTurn: self.hinge.turn_bounds(laws.stops),
+            PadRate: self.hinge.rate_bounds(),
+            HingeDrive: self.hinge.drive_bounds(laws.stops),
+            PadInclination: self.inclination_bounds(laws),
         ]
     }
 

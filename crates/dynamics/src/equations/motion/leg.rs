@@ -13,6 +13,7 @@ use crate::lanes::per_lane;
 use crate::profile::Profile;
 use crate::scalar::Real;
 use crate::scene::Scene;
+use crate::signal::by_signal;
 use crate::state::LegState;
 use crate::vehicle::Leg;
 
@@ -427,31 +428,31 @@ impl<S: Real> LegMotion<S> {
             frame.block_interference_rate(block.velocity.inward)
         };
         let foot = body.seen_from_center_of_gravity(&self.geometry.off_leg_plane(&pose.pivot));
-        let signals = [
-            outer,
-            inner,
-            pose.block_interference,
-            pose.stroke,
-            outer_rate,
-            rates[1],
-            block_rate,
-            -pose.strut_lever * derivative.link_angle,
-            pivot_rate,
-            block.velocity.inward,
-            pad.velocity.sliding_squared,
-            block.velocity.sliding_squared,
-            leg.link_rate,
-            if FORCES { surface_torque } else { S::zero() },
-            pad_angle,
-            leg.pad_rate,
-            hinge_drive,
-            cos_pad,
-            strut,
-            pose.strut_lever,
-            foot.x,
-            foot.y,
-            foot.z,
-            grounds[1].depth_of(&self.geometry.lower_hardpoint()),
+        let signals = by_signal![
+            OuterInterference: outer,
+            InnerInterference: inner,
+            BlockInterference: pose.block_interference,
+            Stroke: pose.stroke,
+            OuterRate: outer_rate,
+            InnerRate: rates[1],
+            BlockRate: block_rate,
+            StrokeRate: -pose.strut_lever * derivative.link_angle,
+            PivotRate: pivot_rate,
+            BlockCentreRate: block.velocity.inward,
+            PadSliding: pad.velocity.sliding_squared,
+            BlockSliding: block.velocity.sliding_squared,
+            LinkRate: leg.link_rate,
+            LinkTorque: if FORCES { surface_torque } else { S::zero() },
+            PadTurn: pad_angle,
+            PadRate: leg.pad_rate,
+            HingeDrive: hinge_drive,
+            PadInclination: cos_pad,
+            StrutForce: strut,
+            StrutLever: pose.strut_lever,
+            FootX: foot.x,
+            FootY: foot.y,
+            FootZ: foot.z,
+            HardpointDepth: grounds[1].depth_of(&self.geometry.lower_hardpoint()),
         ];
         LegAction {
             force: self.geometry.in_vehicle_axes(&(pad.force + block.force)),
