@@ -38,7 +38,6 @@ FLOORS = {
         ["sweeps"],
         ["points"],
         ["input"],
-        ["search"],
         ["documents"],
     ],
     "figures": [

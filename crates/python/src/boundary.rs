@@ -4,8 +4,8 @@ use std::num::NonZeroUsize;
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
+use touchdown_search::boundary::Boundary;
 use touchdown_sweep::bands_table;
-use touchdown_sweep::boundary::Boundary;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::results;
 use touchdown_sweep::run::{Observer, Workers};

@@ -23,7 +23,7 @@ use touchdown_dynamics::batch::Request;
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::scene::{CrushRule, Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
-use touchdown_sweep::boundary::Boundary;
+use touchdown_search::boundary::Boundary;
 use touchdown_sweep::measured_scenes::level_grid;
 use touchdown_sweep::run::{RunError, Workers};
 use touchdown_sweep::sweep_file::Sweep;

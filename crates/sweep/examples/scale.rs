@@ -13,8 +13,8 @@ use std::fs;
 use std::time::Instant;
 
 use touchdown_dynamics::outcome::Class;
-use touchdown_sweep::boundary::{Boundary, Transition};
-use touchdown_sweep::certainty::Certainty;
+use touchdown_search::boundary::{Boundary, Transition};
+use touchdown_search::certainty::Certainty;
 use touchdown_sweep::file_writer::{Draft, Folder};
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::header::Header;

@@ -86,7 +86,6 @@
 //! | `sweeps` | sweeps, cases of a scene file, the input of every point |
 //! | `points` | axes, their values and their order |
 //! | `input` | tables of input documents, parsed into types |
-//! | `search` | search for the onset of toppling: scan, brackets, bands, certainty |
 //! | `documents` | TOML with line numbers, input errors, atomic writing of files |
 //!
 //! Nothing here prints: progress goes to a [`run::Observer`], input errors are [`input_error::InputError`]s.
@@ -99,7 +98,6 @@ mod input;
 mod maps;
 mod output;
 mod points;
-mod search;
 mod summary;
 mod sweeps;
 mod threads;
@@ -130,11 +128,6 @@ pub use points::{
     assignment, design, distribution, grid, levels, parameter, refined_grid, sample, set_value,
 };
 use points::{axis_input, joint_normal, map_input, sample_input, sensitivity_input};
-use search::{bands, hidden, join_all, landings_on_request, lattice, narrowed_scan, run_out};
-pub use search::{
-    boundary, certainty, contact_warnings, hidden_band_checks, patchy, refine, scan, search_range,
-    skipped, trial, variation,
-};
 pub use summary::{findings, probabilities, sweep_counts, transition_statistics};
 pub use sweeps::{
     case, measured_scenes, overrides, resolved_input, scene_file, single_landing, sweep, sweep_file,

@@ -19,7 +19,6 @@
 //! the step, ordinary searches give V_H at the ends of the parameter's span.
 
 pub mod difference;
-mod follow;
 mod of_point;
 
 use serde::{Deserialize, Serialize};

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 use serde_json::json;
-use touchdown_sweep::boundary::{self, Boundary, Extent};
-use touchdown_sweep::certainty::Certainty;
+use touchdown_search::boundary::{self, Boundary, Extent};
+use touchdown_search::certainty::Certainty;
 
 use super::IsOver;
 use super::classes::{ClassWords, class_words};

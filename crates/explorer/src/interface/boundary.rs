@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 use serde_json::json;
-use touchdown_sweep::boundary::Extent;
+use touchdown_search::boundary::Extent;
 use touchdown_sweep::column::{Cell, cells};
 use touchdown_sweep::results::COLUMNS;
 

@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use futures::executor::block_on;
 use touchdown_dynamics::landing::land_located_while;
-use touchdown_sweep::boundary::{Boundary, Extent, Search};
-use touchdown_sweep::certainty::Doubt;
-use touchdown_sweep::refine::Refinement;
-use touchdown_sweep::search_range::Scan;
-use touchdown_sweep::trial::{Scales, Trial};
-use touchdown_sweep::variation::Variation;
+use touchdown_search::boundary::{Boundary, Extent, Search};
+use touchdown_search::certainty::Doubt;
+use touchdown_search::refine::Refinement;
+use touchdown_search::search_range::Scan;
+use touchdown_search::trial::{Scales, Trial};
+use touchdown_search::variation::Variation;
 
 use super::IsOver;
 use super::complaint::Complaint;

@@ -2,14 +2,14 @@
 
 use touchdown_dynamics::quantities;
 use touchdown_dynamics::quantity::{IfMissing, Quantity, Range};
+use touchdown_search::boundary::{Extent, Search};
+use touchdown_search::certainty::Doubt;
+use touchdown_search::refine::Refinement;
+use touchdown_search::scan::Scan;
 
-use crate::boundary::{Extent, Search};
-use crate::certainty::Doubt;
 use crate::choice::{choice, words};
 use crate::input_error::InputError;
 use crate::numbers::{definite, joined, keys_of};
-use crate::refine::Refinement;
-use crate::scan::Scan;
 use crate::section::Section;
 
 /// Greatest horizontal velocity of a touchdown, ft/s.

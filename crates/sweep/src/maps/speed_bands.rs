@@ -1,8 +1,7 @@
 //! Bands over V_H at a place of a map over one axis.
 
 use touchdown_dynamics::outcome::Class;
-
-use crate::boundary::Boundary;
+use touchdown_search::boundary::Boundary;
 
 /// The bands of a place, lowest first: all that were searched, or the lowest two if only the first transition was.
 #[derive(Debug, Clone, PartialEq)]

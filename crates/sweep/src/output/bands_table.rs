@@ -1,7 +1,8 @@
 //! Table of the bands of a sweep.
 
-use crate::bands::Band;
-use crate::boundary::Boundary;
+use touchdown_search::boundary::Band;
+use touchdown_search::boundary::Boundary;
+
 use crate::column::{Cell, Column, Heading, cells, headings};
 use crate::sweep_file::Sweep;
 
@@ -83,11 +84,11 @@ pub fn numbered(boundary: &Boundary) -> impl Iterator<Item = Numbered> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::boundary::Bracket;
-    use crate::certainty::Certainty;
     use crate::column::tests::{names, text};
     use crate::sweep_file::tests::figure_4_09;
     use touchdown_dynamics::outcome::{Class, Outcome};
+    use touchdown_search::boundary::Bracket;
+    use touchdown_search::certainty::Certainty;
 
     #[test]
     fn a_row_for_every_band() {

@@ -4,9 +4,9 @@ use serde_json::{Map, Value, json};
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::methods::{IntegrationSummary, variable_names};
 use touchdown_dynamics::scene::Settings;
+use touchdown_search::contact_warnings::ContactWarnings;
 
 use crate::assignment::Assignment;
-use crate::contact_warnings::ContactWarnings;
 use crate::fingerprint::fingerprint;
 use crate::landing_table::{self, why};
 use crate::output_units::OutputUnits;

@@ -2,9 +2,9 @@
 
 use serde_json::{Map, Value, json};
 use touchdown_dynamics::model_version::MODEL_VERSION;
+use touchdown_search::boundary::{Boundary, Transition};
+use touchdown_search::certainty::Certainty;
 
-use crate::boundary::{Boundary, Transition};
-use crate::certainty::Certainty;
 use crate::column::{Cell, Column, Heading, cells, headings};
 use crate::findings::Finding;
 use crate::fingerprint::fingerprint;

@@ -5,7 +5,8 @@
 //! the ends of the span take its place. Cells about the parameter are in the units of results; those about V_H are in
 //! program units until the table is written.
 
-use crate::boundary::Boundary;
+use touchdown_search::boundary::Boundary;
+
 use crate::column::{Cell, Column, Heading, cells, headings};
 use crate::output_units::Quantity;
 use crate::results::transition_name;

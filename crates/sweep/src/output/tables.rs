@@ -4,8 +4,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use thiserror::Error;
+use touchdown_search::boundary::Extent;
 
-use crate::boundary::Extent;
 use crate::column::{Cell, Heading, Kind, headings};
 use crate::file_writer::{Draft, Folder, WriteError};
 use crate::findings::Finding;

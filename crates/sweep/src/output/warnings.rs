@@ -2,7 +2,8 @@
 
 use std::fmt::Display;
 
-use crate::contact_warnings::ContactWarnings;
+use touchdown_search::contact_warnings::ContactWarnings;
+
 use crate::landing_report;
 use crate::output_units::OutputUnits;
 use crate::sweep::Sweep;

@@ -2,21 +2,19 @@
 
 use std::cell::Cell;
 
-use futures::future::FutureExt;
 use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::vehicle::Vehicle;
+use touchdown_search::boundary::{Boundary, Extent, Search};
+use touchdown_search::certainty::{Certainty, Doubt};
+use touchdown_search::follow::Near;
+use touchdown_search::join_all::join_all;
+use touchdown_search::trial::Trial;
+use touchdown_search::variation::Variation;
 
-use super::follow::Near;
 use super::{Dependence, Sensitivity, Slope, difference, span};
-use crate::boundary::{Boundary, Extent, Search};
 use crate::case::Case;
-use crate::certainty::{Certainty, Doubt};
-use crate::join_all::join_all;
-use crate::landings_on_request::{self, FirstError, Stopped};
 use crate::parameter::Parameter;
 use crate::sweep_file::Sweep;
-use crate::trial::Trial;
-use crate::variation::Variation;
 
 /// Bracket width here, as a part of that of the search.
 const FINER: f64 = 0.1;
@@ -36,24 +34,10 @@ const ANGULAR_SCALE: f64 = 30.0;
 pub(crate) async fn of_point<Stop>(
     sweep: &Sweep,
     point: usize,
-    searched: (&Case, &Search),
+    (case, search): (&Case, &Search),
     boundary: &Boundary,
     land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
 ) -> Result<Sensitivity, Stop> {
-    let first_error = FirstError::default();
-    let land =
-        async |case: &Case, speed, variation| first_error.keep(land(case, speed, variation).await);
-    let found = of_landings(sweep, point, searched, boundary, &land).await;
-    first_error.result(found)
-}
-
-async fn of_landings(
-    sweep: &Sweep,
-    point: usize,
-    (case, search): (&Case, &Search),
-    boundary: &Boundary,
-    land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stopped>,
-) -> Result<Sensitivity, Stopped> {
     let without_slopes = |speed, dependence| {
         let slopes = vec![Slope::new(None, dependence); sweep.sensitivity.len()];
         Sensitivity {
@@ -90,7 +74,7 @@ async fn of_landings(
         width,
     };
     let sensitivity = match near
-        .follow(&|speed| landings_on_request::sample(speed, counted(case, speed, at)).boxed_local())
+        .follow(async |speed| counted(case, speed, at).await)
         .await?
     {
         // This time, landings at the ends of the bracket ended differently.
@@ -140,14 +124,14 @@ struct FollowedTransition {
 
 impl FollowedTransition {
     /// Computes the dependence of the transition on a parameter.
-    async fn slope(
+    async fn slope<Stop>(
         &self,
         sweep: &Sweep,
         point: usize,
         (vehicle, search): (&Vehicle, &Search),
         parameter: &Parameter,
-        land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stopped>,
-    ) -> Result<Slope, Stopped> {
+        land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
+    ) -> Result<Slope, Stop> {
         let scaled = |value| Some((value, scale(parameter, value, vehicle)?));
         let Some((value, scale)) = sweep.value(point, parameter).and_then(scaled) else {
             return Ok(Slope::new(None, Dependence::NoStep));
@@ -171,13 +155,13 @@ impl FollowedTransition {
 
     /// Computes the dependence from inputs `with` changes of up to `step` of the parameter; transitions are followed
     /// over `reach`, ft/s.
-    async fn dependence<Refused>(
+    async fn dependence<Refused, Stop>(
         &self,
         (step, reach): (f64, f64),
         with: &impl Fn(f64) -> Result<Case, Refused>,
         search: &Search,
-        land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stopped>,
-    ) -> Result<Dependence, Stopped> {
+        land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
+    ) -> Result<Dependence, Stop> {
         if self.is_alike([with(-step), with(step)], land).await? {
             return Ok(Dependence::Smooth {
                 derivative: 0.0,
@@ -205,9 +189,7 @@ impl FollowedTransition {
                 width: self.width,
             };
             match near
-                .follow(&|speed| {
-                    landings_on_request::sample(speed, land(&case, speed, self.at)).boxed_local()
-                })
+                .follow(async |speed| land(&case, speed, self.at).await)
                 .await?
             {
                 Some(speed) => speeds[place] = speed,
@@ -225,11 +207,11 @@ impl FollowedTransition {
     }
 
     /// True if the landing is the same, to the last bit, with both inputs.
-    async fn is_alike<Refused>(
+    async fn is_alike<Refused, Stop>(
         &self,
         cases: [Result<Case, Refused>; 2],
-        land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stopped>,
-    ) -> Result<bool, Stopped> {
+        land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
+    ) -> Result<bool, Stop> {
         for case in cases {
             let Ok(case) = case else {
                 return Ok(false);
@@ -260,11 +242,11 @@ fn scale(parameter: &Parameter, value: f64, vehicle: &Vehicle) -> Option<f64> {
 }
 
 /// First transition of a changed input by an ordinary search, ft/s.
-async fn first_transition(
+async fn first_transition<Stop>(
     case: &Case,
     search: &Search,
-    land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stopped>,
-) -> Result<Option<f64>, Stopped> {
+    land: &impl AsyncFn(&Case, f64, Variation) -> Result<Trial, Stop>,
+) -> Result<Option<f64>, Stop> {
     let search = Search {
         extent: Extent::First,
         doubt: Doubt::None,

@@ -1,10 +1,13 @@
 use std::convert::Infallible;
 
 use super::*;
-use crate::boundary::Transition;
 use crate::sweep_file::Job;
 use crate::sweep_file::tests::figure_4_09;
 use futures::executor::block_on;
+use touchdown_dynamics::outcome::Outcome;
+use touchdown_search::boundary::Transition;
+use touchdown_search::contact_warnings::ContactWarnings;
+use touchdown_search::trial::Margins;
 
 #[test]
 fn scales_are_magnitudes_but_of_angles() {
@@ -27,6 +30,24 @@ fn scales_are_magnitudes_but_of_angles() {
     );
 }
 
+/// A landing of this class.
+fn trial(class: Class, evaluations: u64) -> Trial {
+    Trial {
+        outcome: match class {
+            Class::Stable => Outcome::StableSubsided,
+            Class::Unstable => Outcome::UnstablePitch,
+            _ => Outcome::TimeExpired,
+        },
+        class,
+        least_angle: 0.5,
+        margins: Margins::default(),
+        duration: 3.0,
+        tolerance: 3e-5,
+        evaluations,
+        warnings: ContactWarnings::default(),
+    }
+}
+
 /// Class of a landing at friction μ and a speed.
 type Landed = fn(f64, f64) -> Class;
 
@@ -47,7 +68,7 @@ fn dependence_on(parameter: &str, landed: Landed, certainty: Certainty) -> Slope
         let friction = case.scene.conditions().pad_friction;
         // No two landings are alike that differ in friction.
         let evaluations = (1e6 * friction) as u64;
-        Ok::<_, Infallible>(Trial::example(landed(friction, speed), evaluations))
+        Ok::<_, Infallible>(trial(landed(friction, speed), evaluations))
     };
     let here = async |speed, variation| land(&case, speed, variation).await;
     let Ok(mut boundary) = block_on(search.boundary(here));

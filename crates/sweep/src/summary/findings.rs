@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 use touchdown_dynamics::landing::Landing;
+use touchdown_search::boundary::Boundary;
+use touchdown_search::contact_warnings::ContactWarnings;
 
-use crate::boundary::Boundary;
-use crate::contact_warnings::ContactWarnings;
 use crate::sensitivity::Sensitivity;
 
 /// The result of a point.
@@ -91,13 +91,13 @@ impl Finding {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::bands::Band;
-    use crate::boundary::Transition;
-    use crate::certainty::Certainty;
-    use crate::hidden_band_checks::{CheckCounts, HiddenBandChecks};
-    use crate::skipped::Skipped;
     use touchdown_dynamics::landing::{Energies, FinalRates, LegWork};
     use touchdown_dynamics::outcome::{Class, Failure, Outcome};
+    use touchdown_search::boundary::Band;
+    use touchdown_search::boundary::Transition;
+    use touchdown_search::certainty::Certainty;
+    use touchdown_search::hidden_band_checks::{CheckCounts, HiddenBandChecks};
+    use touchdown_search::skipped::Skipped;
 
     /// A landing invented for tests of tables.
     pub fn example() -> Landing {

@@ -6,11 +6,11 @@
 //! cumulative shares they are Wilson's.
 
 use statrs::distribution::{Binomial, DiscreteCDF};
+use touchdown_search::boundary::Boundary;
+use touchdown_search::search_range::Search;
 
-use crate::boundary::Boundary;
 use crate::column::{Cell, Column, cells};
 use crate::probabilities::wilson;
-use crate::search_range::Search;
 
 /// Shares whose quantiles are listed.
 pub const SHARES: [f64; 11] = [
@@ -284,10 +284,10 @@ pub fn edges(sorted: &[f64]) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::boundary::Transition;
-    use crate::certainty::Certainty;
     use crate::column::tests::text;
     use touchdown_dynamics::outcome::Class;
+    use touchdown_search::boundary::Transition;
+    use touchdown_search::certainty::Certainty;
 
     fn statistics(speeds: impl Iterator<Item = f64>) -> TransitionStatistics {
         TransitionStatistics {

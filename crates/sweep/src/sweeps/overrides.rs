@@ -184,7 +184,7 @@ mod tests {
     use crate::sweep_file::tests::figure_4_09;
     use touchdown_dynamics::scene::CrushRule;
 
-    use crate::boundary::Extent;
+    use touchdown_search::boundary::Extent;
 
     #[test]
     fn words_given_instead_hold_and_may_not_vary() {

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 use touchdown_dynamics::scene::Settings;
+use touchdown_search::search_range::Search;
 
 use crate::column::{Cell, Heading};
 use crate::design::Design;
@@ -12,7 +13,6 @@ use crate::output_units::{OutputUnits, UNITS};
 use crate::parameter::Parameter;
 use crate::refined_grid::RefinedGrid;
 use crate::scene_input::NamedConditions;
-use crate::search_range::Search;
 use crate::source::Source;
 use crate::vehicle_file::VehicleFile;
 

@@ -1,7 +1,7 @@
 use super::*;
-use crate::boundary::Extent;
 use std::fs;
 use touchdown_dynamics::scene::CrushRule;
+use touchdown_search::boundary::Extent;
 
 const FIGURE: &str = include_str!("../../../../sweeps/figure-4-09.toml");
 const SURVEYOR: &str = include_str!("../../../../sweeps/vehicles/surveyor-table-4-1.toml");

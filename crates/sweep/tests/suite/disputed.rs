@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use touchdown_sweep::certainty::Certainty;
+use touchdown_search::certainty::Certainty;
 use touchdown_sweep::design::Design;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::grid::Grid;

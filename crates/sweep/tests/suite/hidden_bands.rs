@@ -6,9 +6,9 @@
 use std::path::Path;
 
 use touchdown_dynamics::outcome::Class;
-use touchdown_sweep::boundary::Boundary;
+use touchdown_search::boundary::Boundary;
+use touchdown_search::hidden_band_checks::CheckCounts;
 use touchdown_sweep::findings::Finding;
-use touchdown_sweep::hidden_band_checks::CheckCounts;
 use touchdown_sweep::library::{Library, Source};
 use touchdown_sweep::run::Workers;
 use touchdown_sweep::sweep_file::Sweep;

@@ -6,16 +6,16 @@
 use std::path::{Path, PathBuf};
 
 use touchdown_dynamics::outcome::Class;
-use touchdown_sweep::boundary::{Boundary, Extent};
-use touchdown_sweep::certainty::{Certainty, Doubt};
+use touchdown_search::boundary::{Boundary, Extent};
+use touchdown_search::certainty::{Certainty, Doubt};
+use touchdown_search::refine::Refinement;
+use touchdown_search::scan::Scan;
 use touchdown_sweep::design::Design;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::grid::Grid;
 use touchdown_sweep::levels::Levels;
 use touchdown_sweep::library::{Library, Source};
-use touchdown_sweep::refine::Refinement;
 use touchdown_sweep::run::Workers;
-use touchdown_sweep::scan::Scan;
 use touchdown_sweep::sweep_file::{Job, Sweep};
 
 /// A sweep of Phase II at some values of its axis.

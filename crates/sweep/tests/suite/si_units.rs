@@ -7,7 +7,7 @@ use std::fmt::Debug;
 use std::path::Path;
 
 use touchdown_dynamics::scene::{CrushRule, Settings};
-use touchdown_sweep::boundary::Boundary;
+use touchdown_search::boundary::Boundary;
 use touchdown_sweep::column::Cell;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::header::Header;

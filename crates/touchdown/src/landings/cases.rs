@@ -4,8 +4,8 @@ use std::path::Path;
 
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::scene::Settings;
+use touchdown_search::contact_warnings::ContactWarnings;
 use touchdown_sweep::cases::{self, CaseTable};
-use touchdown_sweep::contact_warnings::ContactWarnings;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::journal::InOrder;
 use touchdown_sweep::output_units::OutputUnits;

@@ -4,6 +4,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use touchdown_dynamics::vehicle::Vehicle;
+use touchdown_search::trial::{Scales, Trial};
+use touchdown_search::variation::Variation;
 
 use super::{Observer, RunError, SEARCHES, Stop, Workers};
 use crate::case::{Case, CaseFault};
@@ -17,8 +19,6 @@ use crate::scene_input::{self, SceneFault};
 use crate::sensitivity;
 use crate::shard::Shard;
 use crate::sweep_file::{Job, Sweep};
-use crate::trial::{Scales, Trial};
-use crate::variation::Variation;
 
 impl Workers {
     /// Computes every point of a shard that is not `done`, and adds it to the journal.

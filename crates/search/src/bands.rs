@@ -3,11 +3,10 @@
 //! The whole range is scanned, intervals that may hide a band are checked, and every change between neighbouring
 //! landings of different class is narrowed down. A third class met on the way becomes a band of its own.
 
-pub use crate::boundary::Band;
-use crate::boundary::{Boundary, Bracket};
 use futures::future::FutureExt;
 use touchdown_dynamics::outcome::Outcome;
 
+use crate::boundary::{Band, Boundary, Bracket};
 use crate::certainty::Certainty;
 use crate::landings_on_request::{FirstError, Land, Stopped};
 use crate::search_range::{Extent, Search};

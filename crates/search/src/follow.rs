@@ -1,30 +1,47 @@
 //! Finds the transition of a slightly different input near a known one.
 
+use futures::future::FutureExt;
 use touchdown_dynamics::outcome::Class;
 
-use crate::landings_on_request::{LandAt, Stopped};
+use crate::landings_on_request::{self, FirstError, LandAt, Stopped};
 use crate::refine::{Narrowing, Refinement};
-use crate::trial::first_unstable;
+use crate::trial::{Trial, first_unstable};
 
 /// Range in which a transition is sought; speeds in ft/s.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Near {
+pub struct Near {
     /// Expected speed.
-    pub(crate) around: f64,
+    pub around: f64,
     /// Distance searched first.
-    pub(crate) within: f64,
+    pub within: f64,
     /// Greatest distance searched.
-    pub(crate) reach: f64,
+    pub reach: f64,
     /// Class above the transition.
-    pub(crate) to: Class,
+    pub to: Class,
     /// Width of the bracket.
-    pub(crate) width: f64,
+    pub width: f64,
 }
 
 impl Near {
     /// Middle of the bracket between a stable landing and one of class `to`, both computed; `None` if there is no such
     /// change within reach.
-    pub(crate) async fn follow(&self, sample: &LandAt<'_>) -> Result<Option<f64>, Stopped> {
+    ///
+    /// # Errors
+    /// Returns at once with the first error of `land`, which computes the landing at a horizontal speed.
+    pub async fn follow<Stop>(
+        &self,
+        land: impl AsyncFn(f64) -> Result<Trial, Stop>,
+    ) -> Result<Option<f64>, Stop> {
+        let first_error = FirstError::default();
+        let (land, kept) = (&land, &first_error);
+        let landed = |speed| async move { kept.keep(land(speed).await) };
+        let found = self
+            .followed(&|speed| landings_on_request::sample(speed, landed(speed)).boxed_local())
+            .await;
+        first_error.result(found)
+    }
+
+    async fn followed(&self, sample: &LandAt<'_>) -> Result<Option<f64>, Stopped> {
         let lowest = (self.around - self.reach).max(0.0);
         let highest = self.around + self.reach;
         let below = (self.around - self.within).clamp(lowest, highest);
@@ -71,19 +88,15 @@ impl Near {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::landings_on_request::at_once;
-    use crate::trial::{Sample, Trial};
+    use crate::trial::Sample;
     use futures::executor::block_on;
+    use std::convert::Infallible;
 
     /// Topples from 11.4 ft/s on, with a margin that runs through zero there, and bottoms from 12.5 on.
-    fn land(speed: f64) -> Sample {
+    fn land(speed: f64) -> Trial {
         match speed {
-            speed if speed < 12.5 => Sample::example(speed, 0.3 * (11.4 - speed)),
-            speed => Sample {
-                is_loose: false,
-                speed,
-                trial: Trial::example(Class::Bottomed, 1),
-            },
+            speed if speed < 12.5 => Sample::example(speed, 0.3 * (11.4 - speed)).trial,
+            _ => Trial::example(Class::Bottomed, 1),
         }
     }
 
@@ -96,11 +109,10 @@ mod tests {
             to,
             width: 1e-4,
         };
-        let counted = at_once(|speed| {
+        let Ok(speed) = block_on(near.follow(async |speed| {
             landings.set(landings.get() + 1);
-            land(speed)
-        });
-        let speed = block_on(near.follow(&counted)).unwrap();
+            Ok::<_, Infallible>(land(speed))
+        }));
         (speed, landings.get())
     }
 

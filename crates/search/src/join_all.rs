@@ -2,8 +2,6 @@
 
 use futures::stream::{self, StreamExt, TryStreamExt};
 
-use crate::landings_on_request::Stopped;
-
 /// Parts in progress at a time: enough to fill the lanes of a few threads, few enough for the finest scan.
 const PARTS: usize = 32;
 
@@ -11,8 +9,8 @@ const PARTS: usize = 32;
 ///
 /// # Errors
 /// The first error of a part.
-pub(crate) async fn join_all<T>(
-    parts: impl Iterator<Item = impl Future<Output = Result<T, Stopped>>>,
-) -> Result<Vec<T>, Stopped> {
+pub async fn join_all<T, Stop>(
+    parts: impl Iterator<Item = impl Future<Output = Result<T, Stop>>>,
+) -> Result<Vec<T>, Stop> {
     stream::iter(parts).buffered(PARTS).try_collect().await
 }

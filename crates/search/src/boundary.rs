@@ -15,7 +15,6 @@ use crate::trial::{Sample, first_unstable};
 
 /// A range of speeds in which all landings end in the same class.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[non_exhaustive]
 pub struct Band {
     /// Lower end, ft/s: the middle of the bracket below, or the lowest speed searched.
     pub from: f64,

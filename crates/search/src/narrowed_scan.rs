@@ -344,7 +344,7 @@ mod tests {
 
     use super::*;
     use crate::boundary::{Boundary, Extent};
-    use crate::search::first_transition::tests::SEARCH;
+    use crate::first_transition::tests::SEARCH;
     use crate::trial::Trial;
     use futures::executor::block_on;
 

@@ -3,7 +3,7 @@ use std::convert::Infallible;
 
 use super::*;
 use crate::boundary::{Boundary, Extent};
-use crate::search::first_transition::tests::SEARCH;
+use crate::first_transition::tests::SEARCH;
 use crate::trial::Trial;
 use futures::executor::block_on;
 

@@ -6,7 +6,6 @@ use touchdown_dynamics::outcome::Class;
 
 /// Contact warnings of landings whose energy balance closes.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[non_exhaustive]
 pub struct ContactWarnings {
     /// Greatest energy that crushing elements gave to the motion, ft·lb ([`Energies::given_by_contact`]); zero if at
     /// most a thousandth of the kinetic energy at first contact.
