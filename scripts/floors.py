@@ -35,9 +35,13 @@ FLOORS = {
         ["journal"],
         ["summary"],
         ["sensitivity"],
+        ["examples"],
+    ],
+    "input": [
+        ["lib"],
         ["sweeps"],
         ["points"],
-        ["input"],
+        ["readers"],
         ["documents"],
     ],
     "figures": [

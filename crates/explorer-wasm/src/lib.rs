@@ -13,8 +13,8 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use serde::Deserialize;
 use touchdown_explorer::interface::{self, Complaint};
 use touchdown_explorer::named::Named;
-use touchdown_sweep::library::{Library, Source};
-use touchdown_sweep::output_units::OutputUnits;
+use touchdown_input::documents::library::{Library, Source};
+use touchdown_input::documents::output_units::OutputUnits;
 
 static INPUT: Mutex<Vec<u8>> = Mutex::new(Vec::new());
 static OUTPUT: Mutex<Vec<u8>> = Mutex::new(Vec::new());

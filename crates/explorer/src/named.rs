@@ -7,9 +7,9 @@ mod source;
 
 use std::path::{Path, PathBuf};
 
-use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::library::{self, Library};
-use touchdown_sweep::output_units::OutputUnits;
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::documents::library::{self, Library};
+use touchdown_input::documents::output_units::OutputUnits;
 
 use reading::Reading;
 pub use results::{Results, ResultsKind};

@@ -11,19 +11,20 @@ use pyo3::types::PyTuple;
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::outcome::{Class, Outcome};
 use touchdown_dynamics::per_leg::MOST_LEGS;
+use touchdown_input::documents::column::{cells, headings};
+use touchdown_input::documents::fingerprint::fingerprint_of_bytes;
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::documents::output_units::{OutputUnits, Quantity};
+use touchdown_input::readers::scene_input::NamedConditions;
+use touchdown_input::sweeps::cases::{CaseCell, CaseCells, CaseTable};
 use touchdown_search::contact_warnings::ContactWarnings;
-use touchdown_sweep::cases::{self, CaseCell, CaseCells, CaseTable};
-use touchdown_sweep::column::{cells, headings};
+use touchdown_sweep::case_results;
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::findings::Finding;
-use touchdown_sweep::fingerprint::fingerprint_of_bytes;
-use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::landing_table;
 use touchdown_sweep::output_guard::OutputGuard;
-use touchdown_sweep::output_units::{OutputUnits, Quantity};
 use touchdown_sweep::run::{Observer, Workers};
 use touchdown_sweep::runner::{Runner, Task};
-use touchdown_sweep::scene_input::NamedConditions;
 use touchdown_sweep::warnings;
 
 use crate::columns::Column;
@@ -80,7 +81,7 @@ pub fn land_many<'py>(
                     inputs: &[],
                     overwrite,
                 };
-                let is_own = |line: &str| cases::is_table(&out, line);
+                let is_own = |line: &str| case_results::is_table(&out, line);
                 guard.check(&out, is_own).map_err(in_the_way)?;
                 if !overwrite && out.exists() {
                     let there =
@@ -166,7 +167,7 @@ fn landed_again(
         Failure::from(InputError::in_file(out, complaint))
     };
     let lines = || there.split_inclusive(|byte| *byte == b'\n').count();
-    if !cases::is_parquet(out) && lines() != 1 + table.len() {
+    if !case_results::is_parquet(out) && lines() != 1 + table.len() {
         return Err(refuse());
     }
     let mut landings = vec![None; table.len()];
@@ -300,7 +301,7 @@ impl Results {
             rows.push((table.name(row), landing));
         }
         let named = rows.iter().map(|(name, landing)| (name.as_str(), landing));
-        cases::table(out, named, self.units, &table.input).map_err(Failure::engine)
+        case_results::table(out, named, self.units, &table.input).map_err(Failure::engine)
     }
 
     /// Sets the results of a row.

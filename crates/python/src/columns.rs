@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use bytemuck::{NoUninit, cast_slice};
 use pyo3::prelude::*;
 use pyo3::types::{PyByteArray, PyDict, PyTuple};
-use touchdown_sweep::column::{self, Cell, Kind};
+use touchdown_input::documents::column::{self, Cell, Kind};
 
 /// A column of results.
 #[derive(Debug)]

@@ -8,16 +8,16 @@ use pyo3::types::{PyDict, PyFloat, PyInt, PyMapping, PySequence, PyString};
 use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::scene::Settings;
 use touchdown_dynamics::vehicle;
-use touchdown_sweep::assignment::{self, Assignment};
-use touchdown_sweep::document::{Document, Entry, Node, Value};
-use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::output_units::OutputUnits;
-use touchdown_sweep::parameter::Parameter;
-use touchdown_sweep::resolved_input;
-use touchdown_sweep::single_landing::{self, Touchdown};
-use touchdown_sweep::toml_text;
-use touchdown_sweep::unit;
-use touchdown_sweep::vehicle_file::VehicleFile;
+use touchdown_input::documents::document::{Document, Entry, Node, Value};
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::documents::output_units::OutputUnits;
+use touchdown_input::documents::toml_text;
+use touchdown_input::documents::unit;
+use touchdown_input::points::assignment::{self, Assignment};
+use touchdown_input::points::parameter::Parameter;
+use touchdown_input::readers::vehicle_file::VehicleFile;
+use touchdown_input::sweeps::resolved_input;
+use touchdown_input::sweeps::single_landing::{self, Touchdown};
 
 use crate::errors::{Failure, guarded};
 

@@ -6,8 +6,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
+use touchdown_input::documents::input_error::InputError;
 use touchdown_sweep::file_writer::WriteError;
-use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::journal::JournalError;
 use touchdown_sweep::run::RunError;
 use touchdown_sweep::tables::TablesError;

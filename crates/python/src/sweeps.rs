@@ -7,18 +7,18 @@ use std::path::PathBuf;
 
 use pyo3::prelude::*;
 use serde_json::Value;
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::documents::library::{Library, Source};
+use touchdown_input::points::set_value::SetValue;
+use touchdown_input::sweeps::overrides::Overrides;
+use touchdown_input::sweeps::sweep_file;
 use touchdown_sweep::file_writer::Folder;
-use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::library::{Library, Source};
-use touchdown_sweep::overrides::Overrides;
 use touchdown_sweep::result_files::{self, NamedFiles};
 use touchdown_sweep::results;
 use touchdown_sweep::run::{Observer, Workers};
 use touchdown_sweep::runner::{Runner, Task};
-use touchdown_sweep::set_value::SetValue;
 use touchdown_sweep::shard::Shard;
 use touchdown_sweep::sweep_counts::SweepCounts;
-use touchdown_sweep::sweep_file;
 use touchdown_sweep::warnings;
 
 use crate::VERSION;

@@ -23,11 +23,11 @@ use touchdown_dynamics::batch::Request;
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::scene::{CrushRule, Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
+use touchdown_input::readers::vehicle_file::VehicleFile;
+use touchdown_input::sweeps::measured_scenes::level_grid;
+use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_search::boundary::Boundary;
-use touchdown_sweep::measured_scenes::level_grid;
 use touchdown_sweep::run::{RunError, Workers};
-use touchdown_sweep::sweep_file::Sweep;
-use touchdown_sweep::vehicle_file::VehicleFile;
 
 const ONE_THREAD: &str = "one thread";
 const THREADS: [&str; 2] = [ONE_THREAD, "every core"];

@@ -13,6 +13,7 @@ use std::fs;
 use std::time::Instant;
 
 use touchdown_dynamics::outcome::Class;
+use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_search::boundary::{Boundary, Transition};
 use touchdown_search::certainty::Certainty;
 use touchdown_sweep::file_writer::{Draft, Folder};
@@ -20,7 +21,6 @@ use touchdown_sweep::findings::Finding;
 use touchdown_sweep::header::Header;
 use touchdown_sweep::journal::{InOrder, Journal};
 use touchdown_sweep::shard::Shard;
-use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::tables::Tables;
 
 const SWEEP: &str = include_str!("../../../sweeps/figure-4-09.toml");

@@ -13,7 +13,7 @@
 //!
 //! use touchdown_dynamics::outcome::Class;
 //! use touchdown_sweep::run::Workers;
-//! use touchdown_sweep::sweep_file::Sweep;
+//! use touchdown_input::sweeps::sweep_file::Sweep;
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! # std::env::set_current_dir("../..")?;
@@ -36,7 +36,7 @@
 //! # A sweep
 //!
 //! [`runner`] computes a whole sweep into a journal, from which an interrupted run goes on, and writes its tables; its page
-//! has the few lines that this takes. [`overrides::Overrides`] replaces values as the options of the command line do.
+//! has the few lines that this takes. [`touchdown_input::sweeps::overrides::Overrides`] replaces values as the options of the command line do.
 //!
 //! # How a sweep is computed
 //!
@@ -83,35 +83,22 @@
 //! | [`journal`] | every finished point stored at once; resuming, shards, merging |
 //! | `summary` | results of points, and their summary |
 //! | [`sensitivity`] | dependence of transitions on the input |
-//! | `sweeps` | sweeps, cases of a scene file, the input of every point |
-//! | `points` | axes, their values and their order |
-//! | `input` | tables of input documents, parsed into types |
-//! | `documents` | TOML with line numbers, input errors, atomic writing of files |
 //!
-//! Nothing here prints: progress goes to a [`run::Observer`], input errors are [`input_error::InputError`]s.
+//! Nothing here prints: progress goes to a [`run::Observer`], input errors are [`touchdown_input::documents::input_error::InputError`]s.
 
 #![warn(unnameable_types)]
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
-mod documents;
-mod input;
+#[cfg(test)]
+mod examples;
 mod maps;
 mod output;
-mod points;
 mod summary;
-mod sweeps;
 mod threads;
 
 pub mod journal;
 pub mod sensitivity;
 
-pub use documents::{
-    column, document, file_writer, fingerprint, input_error, key_path, library, output_guard,
-    output_units, toml_text, unit,
-};
-use documents::{csv_rows, section, source, spelling};
-pub use input::{choice, deck, method_input, scene_input, settings_input, vehicle_file};
-use input::{numbers, search_input, vehicle_tables};
 use journal::early_stop;
 pub use journal::{header, journal_files, merge, point_set, shard};
 use maps::{
@@ -120,17 +107,10 @@ use maps::{
 };
 pub use maps::{height, rounds};
 pub use output::{
-    bands_table, cases, column_units, documented_columns, history, input_keys, landing_report,
-    landing_table, result_files, results, tables, warnings,
+    bands_table, case_results, documented_columns, file_writer, history, landing_report,
+    landing_table, output_guard, result_files, results, tables, warnings,
 };
 use output::{map_tables, parquet_table, sensitivity_table};
-pub use points::{
-    assignment, design, distribution, grid, levels, parameter, refined_grid, sample, set_value,
-};
-use points::{axis_input, joint_normal, map_input, sample_input, sensitivity_input};
 pub use summary::{findings, probabilities, sweep_counts, transition_statistics};
-pub use sweeps::{
-    case, measured_scenes, overrides, resolved_input, scene_file, single_landing, sweep, sweep_file,
-};
 use threads::landing_queue;
 pub use threads::{run, runner};

@@ -1,14 +1,14 @@
 //! Tables and records of results, and tables of cases.
 
 pub mod bands_table;
-pub mod cases;
-pub mod column_units;
+pub mod case_results;
 pub mod documented_columns;
+pub mod file_writer;
 pub mod history;
-pub mod input_keys;
 pub mod landing_report;
 pub mod landing_table;
 pub mod map_tables;
+pub mod output_guard;
 pub(crate) mod parquet_table;
 pub mod result_files;
 pub mod results;

@@ -22,10 +22,9 @@ pub mod difference;
 mod of_point;
 
 use serde::{Deserialize, Serialize};
+use touchdown_input::points::parameter::Parameter;
 
 pub(crate) use of_point::of_point;
-
-use crate::parameter::Parameter;
 
 /// Span as a fraction of the parameter.
 const SPAN: f64 = 0.1;

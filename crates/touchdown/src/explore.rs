@@ -12,8 +12,8 @@ use clap::Args;
 use touchdown_explorer::export;
 use touchdown_explorer::named::Named;
 use touchdown_explorer::server::{LOOPBACK, Server, random_digits};
-use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::library::Library;
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::documents::library::Library;
 use touchdown_sweep::output_guard::OutputGuard;
 
 use crate::failure::Failure;

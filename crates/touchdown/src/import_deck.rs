@@ -4,10 +4,10 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use touchdown_sweep::deck::{Deck, Run, parse};
+use touchdown_input::documents::input_error::Place;
+use touchdown_input::documents::library::Library;
+use touchdown_input::readers::deck::{Deck, Run, parse};
 use touchdown_sweep::file_writer::Folder;
-use touchdown_sweep::input_error::Place;
-use touchdown_sweep::library::Library;
 use touchdown_sweep::output_guard::OutputGuard;
 
 use crate::failure::Failure;

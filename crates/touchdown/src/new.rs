@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::PossibleValue;
 use clap::{Args, Subcommand, ValueEnum};
-use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::output_units::OutputUnits;
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::documents::output_units::OutputUnits;
 
 use crate::failure::Failure;
 use crate::print::print;

@@ -13,11 +13,11 @@ use touchdown_dynamics::attitude::{Attitude, Euler};
 use touchdown_dynamics::impact_surface::{Approach, ImpactSurface, NoSurface, determine};
 use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::vehicle::Vehicle;
-use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::output_units::OutputUnits;
-use touchdown_sweep::parameter::Parameter;
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::documents::output_units::OutputUnits;
+use touchdown_input::points::parameter::Parameter;
+use touchdown_input::readers::vehicle_file::VehicleFile;
 use touchdown_sweep::run::Observer;
-use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::failure::Failure;
 use crate::interrupt;

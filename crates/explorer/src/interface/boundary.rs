@@ -2,8 +2,8 @@
 
 use serde::Deserialize;
 use serde_json::json;
+use touchdown_input::documents::column::{Cell, cells};
 use touchdown_search::boundary::Extent;
-use touchdown_sweep::column::{Cell, cells};
 use touchdown_sweep::results::COLUMNS;
 
 use super::IsOver;

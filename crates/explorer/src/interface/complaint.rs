@@ -1,7 +1,7 @@
 //! Reasons why a request has no answer.
 
 use serde_json::json;
-use touchdown_sweep::input_error::InputError;
+use touchdown_input::documents::input_error::InputError;
 
 use crate::named::Results;
 

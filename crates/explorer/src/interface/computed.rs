@@ -3,12 +3,12 @@
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
 use touchdown_dynamics::per_leg::MOST_LEGS;
-use touchdown_sweep::column::headings;
-use touchdown_sweep::parameter::Parameter;
-use touchdown_sweep::resolved_input;
+use touchdown_input::documents::column::headings;
+use touchdown_input::points::parameter::Parameter;
+use touchdown_input::readers::scene_input::HORIZONTAL_VELOCITY;
+use touchdown_input::readers::settings_input::solver_in_record;
+use touchdown_input::sweeps::resolved_input;
 use touchdown_sweep::results::COLUMNS;
-use touchdown_sweep::scene_input::HORIZONTAL_VELOCITY;
-use touchdown_sweep::settings_input::solver_in_record;
 
 use super::complaint::Complaint;
 use super::request::Asked;

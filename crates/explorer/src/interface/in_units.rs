@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 
 use serde_json::{Map, Value, json};
-use touchdown_sweep::column_units::ColumnInUnits;
-use touchdown_sweep::output_units::OutputUnits;
+use touchdown_input::documents::column_units::ColumnInUnits;
+use touchdown_input::documents::output_units::OutputUnits;
 
 use super::complaint::{Complaint, of_table};
 use crate::named::Results;

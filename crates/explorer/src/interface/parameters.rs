@@ -10,12 +10,12 @@ use touchdown_dynamics::attitude::Attitude;
 use touchdown_dynamics::quantities::BEARING_FACTOR;
 use touchdown_figures::axis_title::bare_title;
 use touchdown_figures::unit::split_unit;
-use touchdown_sweep::assignment::{self, Assignment};
-use touchdown_sweep::choice::word;
-use touchdown_sweep::output_units::OutputUnits;
-use touchdown_sweep::parameter::{self, Home, Parameter};
-use touchdown_sweep::settings_input::{FRICTION_PROFILES, rules_by_key};
-use touchdown_sweep::vehicle_file::{self, VehicleFile};
+use touchdown_input::documents::output_units::OutputUnits;
+use touchdown_input::points::assignment::{self, Assignment};
+use touchdown_input::points::parameter::{self, Home, Parameter};
+use touchdown_input::readers::choice::word;
+use touchdown_input::readers::settings_input::{FRICTION_PROFILES, rules_by_key};
+use touchdown_input::readers::vehicle_file::{self, VehicleFile};
 
 use super::complaint::Complaint;
 use super::request::{Asked, read, written};

@@ -4,8 +4,8 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use touchdown_dynamics::per_leg::MOST_LEGS;
-use touchdown_sweep::output_units::OutputUnits;
-use touchdown_sweep::parameter::Parameter;
+use touchdown_input::documents::output_units::OutputUnits;
+use touchdown_input::points::parameter::Parameter;
 
 use super::complaint::Complaint;
 

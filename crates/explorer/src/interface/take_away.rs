@@ -3,12 +3,12 @@
 use serde::Deserialize;
 use serde_json::json;
 use touchdown_dynamics::landing::{Instant, land_located_while};
-use touchdown_sweep::assignment::Assignment;
-use touchdown_sweep::document::{Entry, Node, Value};
+use touchdown_input::documents::document::{Entry, Node, Value};
+use touchdown_input::documents::toml_text;
+use touchdown_input::documents::unit::without_program_unit;
+use touchdown_input::points::assignment::Assignment;
+use touchdown_input::points::parameter::Home;
 use touchdown_sweep::history::History;
-use touchdown_sweep::parameter::Home;
-use touchdown_sweep::toml_text;
-use touchdown_sweep::unit::without_program_unit;
 
 use super::IsOver;
 use super::complaint::Complaint;

@@ -6,13 +6,13 @@ use serde_json::Value as Json;
 use touchdown_dynamics::method::Method;
 use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::scene::{Scene, Settings};
-use touchdown_sweep::assignment::{self, Assignment};
-use touchdown_sweep::document::{Document, Entry, Value};
-use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::parameter::{Home, Parameter};
-use touchdown_sweep::scene_input::{NamedConditions, SceneFault};
-use touchdown_sweep::single_landing;
-use touchdown_sweep::vehicle_file::VehicleFile;
+use touchdown_input::documents::document::{Document, Entry, Value};
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::points::assignment::{self, Assignment};
+use touchdown_input::points::parameter::{Home, Parameter};
+use touchdown_input::readers::scene_input::{NamedConditions, SceneFault};
+use touchdown_input::readers::vehicle_file::VehicleFile;
+use touchdown_input::sweeps::single_landing;
 
 use super::complaint::Complaint;
 use super::request::Asked;
@@ -74,7 +74,7 @@ impl<'n> Touchdown<'n> {
             single_landing::settings(&solver).map_err(|error| under_names(error, "", &set))?;
         if settings.method() != Method::Located {
             let allowed = "located: the explorer computes landings by no other method";
-            let method = touchdown_sweep::method_input::method_name(&settings.method());
+            let method = touchdown_input::readers::method_input::method_name(&settings.method());
             return Err(Complaint::value("solver.method", method, allowed));
         }
         if settings.time_limit() > LONGEST {

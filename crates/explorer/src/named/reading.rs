@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use touchdown_sweep::document::Document;
-use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::library::{Library, Source};
+use touchdown_input::documents::document::Document;
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::documents::library::{Library, Source};
 
 /// A library, with copies of the files read from it.
 #[derive(Debug)]

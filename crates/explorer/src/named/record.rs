@@ -3,15 +3,15 @@
 use std::path::Path;
 
 use serde_json::{Map, Value as Json};
-use touchdown_sweep::assignment::Assignment;
-use touchdown_sweep::document::{Document, Entry, Value};
-use touchdown_sweep::input_error::{InputError, Place};
-use touchdown_sweep::output_units::OutputUnits;
-use touchdown_sweep::scene_input::{HORIZONTAL_VELOCITY, NamedConditions};
-use touchdown_sweep::settings_input::SOLVER;
-use touchdown_sweep::single_landing::Touchdown;
-use touchdown_sweep::toml_text::{self, entries, entry, node, written};
-use touchdown_sweep::vehicle_file::VehicleFile;
+use touchdown_input::documents::document::{Document, Entry, Value};
+use touchdown_input::documents::input_error::{InputError, Place};
+use touchdown_input::documents::output_units::OutputUnits;
+use touchdown_input::documents::toml_text::{self, entries, entry, node, written};
+use touchdown_input::points::assignment::Assignment;
+use touchdown_input::readers::scene_input::{HORIZONTAL_VELOCITY, NamedConditions};
+use touchdown_input::readers::settings_input::SOLVER;
+use touchdown_input::readers::vehicle_file::VehicleFile;
+use touchdown_input::sweeps::single_landing::Touchdown;
 
 use super::source::{SEARCHED, Source, SourceKind, nothing, stem};
 
@@ -70,7 +70,7 @@ fn conditions(scene: &Map<String, Json>) -> Result<NamedConditions, InputError> 
     for (name, value) in scene {
         if let Some(value) = value.as_f64() {
             let one = Assignment::new(name, &value.to_string())?;
-            touchdown_sweep::assignment::set_conditions(&mut conditions, &[one]);
+            touchdown_input::points::assignment::set_conditions(&mut conditions, &[one]);
         }
     }
     Ok(conditions)
@@ -81,7 +81,7 @@ fn search(search: &Json) -> [f64; 2] {
     let end = |key: &str| {
         let known = [format!("search.{key}_fps"), format!("search.{key}_mps")];
         known.iter().find_map(|name| {
-            let parameter = touchdown_sweep::parameter::Parameter::named(name, 3)?;
+            let parameter = touchdown_input::points::parameter::Parameter::named(name, 3)?;
             let value = search[name.strip_prefix("search.")?].as_f64()?;
             Some(parameter.to_program(value))
         })

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use touchdown_sweep::column_units::units_of_names;
-use touchdown_sweep::input_error::InputError;
+use touchdown_input::documents::column_units::units_of_names;
+use touchdown_input::documents::input_error::InputError;
 
 use super::reading::Reading;
 use super::record;

@@ -4,17 +4,17 @@ use std::path::Path;
 
 use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::Class;
-use touchdown_sweep::assignment::{self, Assignment};
-use touchdown_sweep::column_units::units_of_names;
-use touchdown_sweep::document::{Document, Entry, Value};
-use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::output_units::OutputUnits;
-use touchdown_sweep::scene_file::{self, SceneCase};
-use touchdown_sweep::scene_input::{HORIZONTAL_VELOCITY, NamedConditions};
-use touchdown_sweep::single_landing;
-use touchdown_sweep::sweep_file::Sweep;
-use touchdown_sweep::toml_text;
-use touchdown_sweep::vehicle_file::VehicleFile;
+use touchdown_input::documents::column_units::units_of_names;
+use touchdown_input::documents::document::{Document, Entry, Value};
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::documents::output_units::OutputUnits;
+use touchdown_input::documents::toml_text;
+use touchdown_input::points::assignment::{self, Assignment};
+use touchdown_input::readers::scene_input::{HORIZONTAL_VELOCITY, NamedConditions};
+use touchdown_input::readers::vehicle_file::VehicleFile;
+use touchdown_input::sweeps::scene_file::{self, SceneCase};
+use touchdown_input::sweeps::single_landing;
+use touchdown_input::sweeps::sweep_file::Sweep;
 
 use super::reading::Reading;
 

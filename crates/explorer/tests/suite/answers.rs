@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use serde_json::{Value, json};
 use touchdown_explorer::interface::answer;
 use touchdown_explorer::named::Named;
-use touchdown_sweep::library::{Library, Source};
+use touchdown_input::documents::library::{Library, Source};
 
 use crate::common::{NAMED, ask, distance, in_ground, named, numbers};
 

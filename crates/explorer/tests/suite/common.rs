@@ -11,7 +11,7 @@ use serde_json::Value;
 use touchdown_explorer::interface::{Complaint, answer};
 use touchdown_explorer::named::Named;
 use touchdown_explorer::server::{LOOPBACK, Server, random_digits};
-use touchdown_sweep::library::{Library, Source};
+use touchdown_input::documents::library::{Library, Source};
 
 /// Longest wait of a client.
 const PATIENCE: Duration = Duration::from_secs(60);

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use serde_json::{Value, json};
 use touchdown_explorer::interface::answer;
 use touchdown_explorer::named::Named;
-use touchdown_sweep::library::{Library, Source};
+use touchdown_input::documents::library::{Library, Source};
 
 use crate::common::{ask, named, of_table};
 
@@ -273,7 +273,7 @@ fn landings_of_a_sample_come_in_the_units_asked_for_and_as_they_were_written() {
 
 #[test]
 fn the_page_begins_in_the_units_of_its_first_file() {
-    use touchdown_sweep::output_units::OutputUnits;
+    use touchdown_input::documents::output_units::OutputUnits;
     for (file, units) in [
         ("sweeps/vehicles/surveyor-table-4-1.toml", OutputUnits::Us),
         ("sweeps/vehicles/four-legs.toml", OutputUnits::Si),

@@ -3,7 +3,7 @@
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::outcome::{Failure, Outcome};
 use touchdown_dynamics::scene::Settings;
-use touchdown_sweep::column::{Cell, cells, headings};
+use touchdown_input::documents::column::{Cell, cells, headings};
 use touchdown_sweep::landing_table::COLUMNS;
 
 /// Largest part of the energy involved by which its account may stay open, in units of the tolerance, for

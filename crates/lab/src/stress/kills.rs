@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use tempfile::TempDir;
-use touchdown_sweep::sweep_file::Sweep;
+use touchdown_input::sweeps::sweep_file::Sweep;
 
 use super::killed_run::{KilledRun, RunState, journaled, results};
 use super::{Bench, SURVEYOR, SURVEYOR_FILE};

@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use touchdown_dynamics::scene::Settings;
-use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::library::{Library, Source};
-use touchdown_sweep::settings_input::RULES;
-use touchdown_sweep::sweep_file::Sweep;
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::documents::library::{Library, Source};
+use touchdown_input::readers::settings_input::RULES;
+use touchdown_input::sweeps::sweep_file::Sweep;
 
 use super::{SURVEYOR, SURVEYOR_FILE};
 

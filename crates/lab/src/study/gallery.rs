@@ -4,8 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use serde_json::Value;
-use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::library::Library;
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::documents::library::Library;
 
 use super::results::Results;
 

@@ -1,6 +1,6 @@
 //! Claims about the level vehicle: Figures 4-9 to 4-21.
 
-use touchdown_sweep::input_error::InputError;
+use touchdown_input::documents::input_error::InputError;
 
 use super::answer::{Answer, Verdict, signed, speed};
 use super::results::Results;

@@ -1,7 +1,7 @@
 //! Claims about Figures 4-5 to 4-8: uphill and around at 20 ft/s, downhill over vertical velocity.
 
 use touchdown_figures::boundary_table::Kind;
-use touchdown_sweep::input_error::InputError;
+use touchdown_input::documents::input_error::InputError;
 
 use super::answer::{Answer, Verdict, signed, speed};
 use super::results::{Results, with_kind};

@@ -11,7 +11,7 @@ use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::Scene;
 use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_figures::boundary_table::Kind;
-use touchdown_sweep::input_error::InputError;
+use touchdown_input::documents::input_error::InputError;
 use touchdown_sweep::run::Workers;
 
 use super::answer::signed;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use touchdown_sweep::input_error::InputError;
+use touchdown_input::documents::input_error::InputError;
 
 use super::answer::speed;
 use super::results::{Results, Transitions};

@@ -1,6 +1,6 @@
 //! Claims about the tipped vehicle: Figures 4-23 to 4-25.
 
-use touchdown_sweep::input_error::InputError;
+use touchdown_input::documents::input_error::InputError;
 
 use super::answer::{Answer, Verdict, signed, speed};
 use super::results::Results;

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use touchdown_figures::leading_feet;
-use touchdown_sweep::input_error::InputError;
+use touchdown_input::documents::input_error::InputError;
 
 use super::answer::signed;
 use super::results::{Results, Transitions};

@@ -18,9 +18,9 @@ use touchdown_dynamics::three_strut_leg::ThreeStrutLeg;
 use touchdown_dynamics::three_struts::{Arrangement, Telescope};
 use touchdown_dynamics::thrust::Thrust;
 use touchdown_dynamics::vehicle::{Leg, Legs, Vehicle};
-use touchdown_sweep::document::Document;
-use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::vehicle_file::VehicleFile;
+use touchdown_input::documents::document::Document;
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::readers::vehicle_file::VehicleFile;
 
 /// Metres per second in a foot per second.
 const MPS: f64 = 1.0 / 0.3048;

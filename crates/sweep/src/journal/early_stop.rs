@@ -4,11 +4,12 @@
 
 use std::collections::BTreeMap;
 
+use touchdown_input::sweeps::sweep_file::{Job, Sweep};
+
 use crate::findings::Finding;
 use crate::journal::{JournalError, Opened};
 use crate::shard::Shard;
 use crate::sweep_counts::SweepCounts;
-use crate::sweep_file::{Job, Sweep};
 
 /// The first landings without a gap.
 #[derive(Debug)]

@@ -1,7 +1,7 @@
 //! The header of a journal: everything that determines its records, and the input files of a sweep, so that the results
 //! can be written from the journal alone.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -9,16 +9,14 @@ use touchdown_dynamics::land::land;
 use touchdown_dynamics::model_version::MODEL_VERSION;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
+use touchdown_input::documents::document::dotted;
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::sweeps::case::CaseFault;
+use touchdown_input::sweeps::cases::CaseTable;
+use touchdown_input::sweeps::origin::Origin;
+use touchdown_input::sweeps::sweep_file::Sweep;
 
-use crate::case::CaseFault;
-use crate::input_error::InputError;
-use crate::library::{Library, Source};
-use crate::overrides::Overrides;
-use crate::set_value::SetValue;
 use crate::shard::Shard;
-use crate::sweep::OverrideNames;
-use crate::sweep_file::Sweep;
-use crate::vehicle_file::VehicleFile;
 
 /// Version of the journals written by this program.
 const FORMAT: u32 = 9;
@@ -44,16 +42,6 @@ pub struct Header {
     origin: Option<Origin>,
 }
 
-/// The files from which the input was read.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-struct Origin {
-    sweep: PathBuf,
-    // Name in the files since the first version.
-    #[serde(rename = "instead")]
-    overrides: OverrideNames,
-    sources: Vec<Source>,
-}
-
 impl Header {
     /// Builds the header of a shard's journal.
     ///
@@ -69,24 +57,21 @@ impl Header {
             points: sweep.design.count(),
             shard: [shard.number(), shard.count()],
             input: sweep.resolved(),
-            origin: Some(Origin {
-                sweep: sweep.path.clone(),
-                overrides: sweep.overrides.clone(),
-                sources: sweep.sources.clone(),
-            }),
+            origin: Some(Origin::of(sweep)),
         })
     }
 
-    /// Builds the header of the journal of `count` cases defined by `input`.
-    pub fn of_cases(input: Value, count: usize, first: Landed, program: &str) -> Self {
+    /// Builds the header of the journal of a table of cases.
+    pub fn of_cases(table: &CaseTable, program: &str) -> Self {
+        let first = table.first();
         Self {
             format: FORMAT,
             program: program.to_owned(),
             model: MODEL_VERSION,
-            probe: probe(first),
-            points: count,
+            probe: probe((&first.vehicle, &first.scene, &first.settings)),
+            points: table.len(),
             shard: [1, 1],
-            input,
+            input: table.input.clone(),
             origin: None,
         }
     }
@@ -165,34 +150,12 @@ impl Header {
     /// # Errors
     /// If the copies were altered.
     pub fn sweep(&self) -> Result<Option<Sweep>, InputError> {
-        let Some(Origin {
-            sweep,
-            overrides,
-            sources,
-        }) = &self.origin
-        else {
-            return Ok(None);
-        };
-        let library = Library::Copies(sources);
-        let read_vehicle = |path: &PathBuf| VehicleFile::read_from(path, library);
-        let set_value = |(name, text): &(String, String)| SetValue::new(name, text);
-        let with = Overrides {
-            vehicle: overrides.vehicle.as_ref().map(read_vehicle).transpose()?,
-            words: overrides.words.clone(),
-            set: overrides
-                .set
-                .iter()
-                .map(set_value)
-                .collect::<Result<_, _>>()?,
-            sensitivity: overrides.sensitivity.clone(),
-            units: overrides.units,
-        };
-        Sweep::read_from(sweep, library)?.with(&with).map(Some)
+        self.origin.as_ref().map(Origin::sweep).transpose()
     }
 
     /// The sweep file, as named on the command line.
     pub fn sweep_file(&self) -> Option<&Path> {
-        self.origin.as_ref().map(|origin| origin.sweep.as_path())
+        self.origin.as_ref().map(Origin::path)
     }
 }
 
@@ -211,7 +174,7 @@ fn flatten(path: &str, value: &Value, leaves: &mut Vec<(String, String)>) {
     match value {
         Value::Object(fields) => {
             for (key, value) in fields {
-                flatten(&crate::document::dotted(path, key), value, leaves);
+                flatten(&dotted(path, key), value, leaves);
             }
         }
         leaf => leaves.push((path.to_owned(), leaf.to_string())),
@@ -230,11 +193,7 @@ impl Header {
             points,
             shard: [shard.number(), shard.count()],
             input: serde_json::json!({"friction": friction}),
-            origin: Some(Origin {
-                sweep: "s.toml".into(),
-                overrides: OverrideNames::default(),
-                sources: Vec::new(),
-            }),
+            origin: None,
         }
     }
 }

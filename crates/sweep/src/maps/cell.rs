@@ -1,6 +1,6 @@
 //! A cell of a map: a rectangle of places.
 
-use crate::refined_grid::Place;
+use touchdown_input::points::refined_grid::Place;
 
 /// A position on a map in steps of its places; it may lie between places.
 pub(crate) type Position = [f64; 2];

@@ -7,11 +7,12 @@
 
 use std::collections::BTreeMap;
 
+use touchdown_input::points::refined_grid::{MapRules, Place};
+
 use crate::cell::{Cell, middle, nearest, position};
 use crate::height::Height;
 use crate::located_side::{BRACKET, edges, located};
 use crate::pieces::{Around, Crossing, Known, Piece};
-use crate::refined_grid::{MapRules, Place};
 
 /// Weight of an unlocated end of transitions, compared with the square root of an error in ft/s, in choosing the most
 /// urgent places.

@@ -2,9 +2,10 @@
 
 use std::collections::HashMap;
 
+use touchdown_input::points::refined_grid::Place;
+
 use crate::cell::{Position, middle, position};
 use crate::pieces::{Crossing, Known};
-use crate::refined_grid::Place;
 use crate::surface_pieces::MapSurface;
 
 /// Kind of an edge.

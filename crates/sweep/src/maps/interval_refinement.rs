@@ -4,10 +4,11 @@
 //! middle are off the straight lines between those at its ends. The wanted places of an interval depend on its known
 //! places alone, so the order in which they become known does not matter.
 
+use touchdown_input::points::refined_grid::MapRules;
+
 use crate::cell::Cell;
 use crate::cell_refinement::{END, Leaf, Refined, UNKNOWN};
 use crate::located_side::BRACKET;
-use crate::refined_grid::MapRules;
 use crate::speed_bands::SpeedBands;
 
 /// Refines a first-level interval.

@@ -3,9 +3,10 @@
 //! The side is halved towards the half with the greater difference. A jump stays in one half, so it shows in every
 //! second difference. A slope spreads over both halves, and a bend fades with their length; either ends the search.
 
+use touchdown_input::points::refined_grid::Place;
+
 use crate::cell::{half_way, steps};
 use crate::height::Height;
-use crate::refined_grid::Place;
 
 /// Steps between which an edge counts as located.
 pub(crate) const BRACKET: usize = 2;

@@ -3,10 +3,11 @@
 //! A piece is a ring of corners around an apex; over each triangle of the apex and two neighbours on the ring the
 //! surface is a plane. Adjacent cells share the places on their common side, so their pieces fit together.
 
+use touchdown_input::points::refined_grid::Place;
+
 use crate::cell::{Position, middle, position};
 use crate::height::Height;
 use crate::located_side::edges;
-use crate::refined_grid::Place;
 
 /// A position and the first transition there, ft/s.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,13 +1,13 @@
 //! Maps over one axis with known bands.
 
 use touchdown_dynamics::outcome::Class;
+use touchdown_input::points::grid::Grid;
+use touchdown_input::points::levels::Levels;
+use touchdown_input::points::refined_grid::{MapRules, RefinedGrid};
 
 use crate::edge_lines::EdgeKind;
-use crate::grid::Grid;
 use crate::height::Height;
-use crate::levels::Levels;
 use crate::profile_edges;
-use crate::refined_grid::{MapRules, RefinedGrid};
 use crate::rounds::Rounds;
 use crate::shard::Shard;
 use crate::speed_bands::SpeedBands;

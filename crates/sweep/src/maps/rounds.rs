@@ -2,12 +2,13 @@
 
 use std::collections::{BTreeMap, HashMap};
 
+use touchdown_input::points::refined_grid::{Place, RefinedGrid};
+
 use crate::cell::Cell;
 use crate::cell_refinement::{self, Leaf};
 use crate::findings::Finding;
 use crate::height::Height;
 use crate::interval_refinement;
-use crate::refined_grid::{Place, RefinedGrid};
 use crate::shard::Shard;
 use crate::speed_bands::SpeedBands;
 use crate::sweep_counts::CoarseCells;

@@ -2,10 +2,11 @@
 
 use std::collections::{BTreeSet, HashMap};
 
+use touchdown_input::points::refined_grid::{Place, RefinedGrid};
+
 use crate::cell::{Cell, Position, position};
 use crate::curved::CurvedSurface;
 use crate::pieces::{Around, Corner, Cut, Known, Piece};
-use crate::refined_grid::{Place, RefinedGrid};
 use crate::rounds::Rounds;
 
 /// The surface of one map.

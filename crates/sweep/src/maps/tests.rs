@@ -1,9 +1,10 @@
 //! Maps of known surfaces.
 
-use crate::grid::Grid;
+use touchdown_input::points::grid::Grid;
+use touchdown_input::points::levels::Levels;
+use touchdown_input::points::refined_grid::{MapRules, RefinedGrid};
+
 use crate::height::Height;
-use crate::levels::Levels;
-use crate::refined_grid::{MapRules, RefinedGrid};
 use crate::resampled::Resampled;
 use crate::rounds::Rounds;
 use crate::shard::Shard;

@@ -1,10 +1,9 @@
 //! Table of the bands of a sweep.
 
+use touchdown_input::documents::column::{Cell, Column, Heading, cells, headings};
+use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_search::boundary::Band;
 use touchdown_search::boundary::Boundary;
-
-use crate::column::{Cell, Column, Heading, cells, headings};
-use crate::sweep_file::Sweep;
 
 /// A band and its number at a point, from 1.
 #[derive(Debug)]
@@ -84,8 +83,8 @@ pub fn numbered(boundary: &Boundary) -> impl Iterator<Item = Numbered> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::column::tests::{names, text};
-    use crate::sweep_file::tests::figure_4_09;
+    use crate::examples::figure_4_09;
+    use crate::examples::{names, text};
     use touchdown_dynamics::outcome::{Class, Outcome};
     use touchdown_search::boundary::Bracket;
     use touchdown_search::certainty::Certainty;

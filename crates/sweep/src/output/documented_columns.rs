@@ -1,6 +1,7 @@
 //! All columns of all tables, as `docs/output.md` lists them.
 
-use crate::column::{Column, described};
+use touchdown_input::documents::column::{Column, described};
+
 use crate::map_tables::{EDGE_COLUMNS, GRID_COLUMNS, SURFACE_COLUMNS};
 use crate::transition_statistics::{DISTRIBUTION_COLUMNS, QUANTILE_COLUMNS};
 use crate::{bands_table, history, landing_table, probabilities, results, sensitivity_table};

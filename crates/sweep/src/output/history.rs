@@ -3,9 +3,8 @@
 use std::io::{self, Write};
 
 use touchdown_dynamics::landing::{Instant, LegInstant};
-
-use crate::column::Column;
-use crate::output_units::{OutputUnits, Quantity};
+use touchdown_input::documents::column::Column;
+use touchdown_input::documents::output_units::{OutputUnits, Quantity};
 
 /// A history being written as CSV.
 #[derive(Debug)]

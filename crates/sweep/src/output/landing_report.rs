@@ -4,16 +4,16 @@ use serde_json::{Map, Value, json};
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::methods::{IntegrationSummary, variable_names};
 use touchdown_dynamics::scene::Settings;
+use touchdown_input::documents::fingerprint::fingerprint;
+use touchdown_input::documents::output_units::OutputUnits;
+use touchdown_input::points::assignment::Assignment;
+use touchdown_input::readers::scene_input::NamedConditions;
+use touchdown_input::readers::settings_input::solver_in_record;
+use touchdown_input::readers::vehicle_file::VehicleFile;
 use touchdown_search::contact_warnings::ContactWarnings;
 
-use crate::assignment::Assignment;
-use crate::fingerprint::fingerprint;
 use crate::landing_table::{self, why};
-use crate::output_units::OutputUnits;
 use crate::results;
-use crate::scene_input::NamedConditions;
-use crate::settings_input::solver_in_record;
-use crate::vehicle_file::VehicleFile;
 
 /// Content of the report of a landing.
 #[derive(Debug, Clone, Copy)]

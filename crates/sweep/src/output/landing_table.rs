@@ -2,8 +2,7 @@
 
 use touchdown_dynamics::landing::{Landing, LegWork};
 use touchdown_dynamics::outcome::Outcome;
-
-use crate::column::Column;
+use touchdown_input::documents::column::Column;
 
 /// Columns of tables of landings.
 pub const COLUMNS: [Column<Landing>; 18] = [
@@ -197,9 +196,9 @@ fn failure(outcome: &Outcome) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::column::tests::{names, text};
-    use crate::column::{cells, headings};
+    use crate::examples::{names, text};
     use crate::findings::tests::example;
+    use touchdown_input::documents::column::{cells, headings};
 
     #[test]
     fn columns_have_the_names_of_the_contract() {

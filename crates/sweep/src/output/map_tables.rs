@@ -1,13 +1,14 @@
 //! Tables of the surface and edges of a map.
 
-use crate::column::{Cell, Column, Heading, cells, headings};
+use touchdown_input::documents::column::{Cell, Column, Heading, cells, headings};
+use touchdown_input::points::refined_grid::RefinedGrid;
+use touchdown_input::sweeps::sweep_file::Sweep;
+
 use crate::edge_lines::{EdgeKind, EdgeLine};
 use crate::profile_edges;
-use crate::refined_grid::RefinedGrid;
 use crate::resampled::Resampled;
 use crate::rounds::Rounds;
 use crate::surface_pieces::MapSurface;
-use crate::sweep_file::Sweep;
 
 /// Columns of the regular table after the axes.
 pub const GRID_COLUMNS: [Column<Resampled>; 2] = [

@@ -15,11 +15,11 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
 use serde_json::{Map, Value, json};
+use touchdown_input::documents::column::{Cell, Kind};
+use touchdown_input::documents::unit::unit;
+use touchdown_input::sweeps::sweep_file::Sweep;
 
-use crate::column::{Cell, Kind};
 use crate::results;
-use crate::sweep_file::Sweep;
-use crate::unit::unit;
 
 /// Rows of a group, which are held in memory.
 const GROUP: usize = 1 << 16;

@@ -3,13 +3,14 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::documents::output_units::OutputUnits;
+use touchdown_input::sweeps::sweep::{Sweep, partial};
+
 use crate::file_writer::{Draft, Folder, WriteError};
-use crate::input_error::InputError;
 use crate::journal::InOrder;
 use crate::output_guard::OutputGuard;
-use crate::output_units::OutputUnits;
 use crate::results;
-use crate::sweep::{Sweep, partial};
 use crate::sweep_counts::SweepCounts;
 use crate::tables::{Tables, TablesError};
 

@@ -2,17 +2,17 @@
 
 use serde_json::{Map, Value, json};
 use touchdown_dynamics::model_version::MODEL_VERSION;
+use touchdown_input::documents::column::{Cell, Column, Heading, cells, headings};
+use touchdown_input::documents::fingerprint::fingerprint;
+use touchdown_input::sweeps::sweep::Part;
+use touchdown_input::sweeps::sweep_file::{Job, Sweep};
 use touchdown_search::boundary::{Boundary, Transition};
 use touchdown_search::certainty::Certainty;
 
-use crate::column::{Cell, Column, Heading, cells, headings};
 use crate::findings::Finding;
-use crate::fingerprint::fingerprint;
 use crate::landing_table;
 use crate::probabilities::wilson;
-use crate::sweep::Part;
 use crate::sweep_counts::SweepCounts;
-use crate::sweep_file::{Job, Sweep};
 use crate::transition_statistics::{ABOVE, AT_OR_BELOW};
 
 /// Columns of the table of a boundary sweep, after the axes.
@@ -288,8 +288,8 @@ fn outcomes(counts: &SweepCounts) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::column::tests::{names, text};
-    use crate::sweep_file::tests::{figure_4_09, read};
+    use crate::examples::{figure_4_09, sweep};
+    use crate::examples::{names, text};
     use touchdown_dynamics::outcome::Class;
 
     fn example() -> (Sweep, Vec<Boundary>) {
@@ -378,7 +378,7 @@ mod tests {
         let spacing = |text: &str| {
             let head = "title = \"T\"\nvehicle = \"vehicles/surveyor-table-4-1.toml\"\nunits = \"SI\"\n\
                         scene = { cross_slope_deg = 180, slope_deg = 15, vertical_velocity_fps = 14, friction = 1 }\n";
-            let sweep = read(&format!("{head}{text}")).unwrap();
+            let sweep = sweep(&format!("{head}{text}"));
             record(&sweep, &SweepCounts::default(), "1.2.3")["spacing"].clone()
         };
         let search =

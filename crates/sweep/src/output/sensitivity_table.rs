@@ -5,13 +5,13 @@
 //! the ends of the span take its place. Cells about the parameter are in the units of results; those about V_H are in
 //! program units until the table is written.
 
+use touchdown_input::documents::column::{Cell, Column, Heading, cells, headings};
+use touchdown_input::documents::output_units::Quantity;
+use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_search::boundary::Boundary;
 
-use crate::column::{Cell, Column, Heading, cells, headings};
-use crate::output_units::Quantity;
 use crate::results::transition_name;
 use crate::sensitivity::{Dependence, Sensitivity, Slope, span};
-use crate::sweep_file::Sweep;
 
 /// A parameter at a point, and how its transition depends on it.
 #[derive(Debug)]
@@ -162,9 +162,9 @@ pub fn rows(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::column::tests::text;
-    use crate::parameter::Parameter;
-    use crate::sweep_file::tests::figure_4_09;
+    use crate::examples::figure_4_09;
+    use crate::examples::text;
+    use touchdown_input::points::parameter::Parameter;
 
     #[test]
     fn numbers_stand_where_there_is_a_derivative_and_words_elsewhere() {

@@ -4,19 +4,19 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use thiserror::Error;
+use touchdown_input::documents::column::{Cell, Heading, Kind, headings};
+use touchdown_input::documents::output_units::Quantity;
+use touchdown_input::points::refined_grid::RefinedGrid;
+use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_search::boundary::Extent;
 
-use crate::column::{Cell, Heading, Kind, headings};
 use crate::file_writer::{Draft, Folder, WriteError};
 use crate::findings::Finding;
 use crate::journal::{InOrder, JournalError};
-use crate::output_units::Quantity;
 use crate::parquet_table::{self, ParquetTable};
-use crate::refined_grid::RefinedGrid;
 use crate::rounds::Rounds;
 use crate::sensitivity_table;
 use crate::sweep_counts::SweepCounts;
-use crate::sweep_file::Sweep;
 use crate::transition_statistics::{DISTRIBUTION_COLUMNS, QUANTILE_COLUMNS, TransitionStatistics};
 use crate::{bands_table, map_tables, probabilities, results};
 

@@ -2,11 +2,11 @@
 
 use std::fmt::Display;
 
+use touchdown_input::documents::output_units::OutputUnits;
+use touchdown_input::sweeps::sweep::Sweep;
 use touchdown_search::contact_warnings::ContactWarnings;
 
 use crate::landing_report;
-use crate::output_units::OutputUnits;
-use crate::sweep::Sweep;
 use crate::sweep_counts::SweepCounts;
 
 /// Warnings of a sweep: landings without a result, transitions that are only bounds, or that the smallest changes move, and

@@ -4,6 +4,9 @@ use std::cell::Cell;
 
 use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::vehicle::Vehicle;
+use touchdown_input::points::parameter::Parameter;
+use touchdown_input::sweeps::case::Case;
+use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_search::boundary::{Boundary, Extent, Search};
 use touchdown_search::certainty::{Certainty, Doubt};
 use touchdown_search::follow::Near;
@@ -12,9 +15,6 @@ use touchdown_search::trial::Trial;
 use touchdown_search::variation::Variation;
 
 use super::{Dependence, Sensitivity, Slope, difference, span};
-use crate::case::Case;
-use crate::parameter::Parameter;
-use crate::sweep_file::Sweep;
 
 /// Bracket width here, as a part of that of the search.
 const FINER: f64 = 0.1;

@@ -1,10 +1,10 @@
 use std::convert::Infallible;
 
 use super::*;
-use crate::sweep_file::Job;
-use crate::sweep_file::tests::figure_4_09;
+use crate::examples::figure_4_09;
 use futures::executor::block_on;
 use touchdown_dynamics::outcome::Outcome;
+use touchdown_input::sweeps::sweep_file::Job;
 use touchdown_search::boundary::Transition;
 use touchdown_search::contact_warnings::ContactWarnings;
 use touchdown_search::trial::Margins;

@@ -4,11 +4,10 @@
 //! hypercube or a Sobol sequence.
 
 use touchdown_dynamics::outcome::Class;
-
-use crate::column::{Cell, Column, Heading, Kind, cells, headings};
-use crate::distribution::Distribution;
-use crate::sample::Sample;
-use crate::sweep_file::Sweep;
+use touchdown_input::documents::column::{Cell, Column, Heading, Kind, cells, headings};
+use touchdown_input::points::distribution::Distribution;
+use touchdown_input::points::sample::Sample;
+use touchdown_input::sweeps::sweep_file::Sweep;
 
 /// Normal quantile of 97.5 %.
 const Z: f64 = 1.959_963_984_540_054;

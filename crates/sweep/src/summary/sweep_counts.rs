@@ -1,17 +1,17 @@
 //! Counts over the points of a sweep.
 
 use touchdown_dynamics::outcome::Class;
+use touchdown_input::points::design::Design;
+use touchdown_input::sweeps::sweep_file::{Job, Sweep};
 use touchdown_search::boundary::{Boundary, Transition};
 use touchdown_search::certainty::Certainty;
 use touchdown_search::contact_warnings::ContactWarnings;
 use touchdown_search::hidden_band_checks::HiddenBandChecks;
 use touchdown_search::skipped::Skipped;
 
-use crate::design::Design;
 use crate::findings::Finding;
 use crate::probabilities::{Count, Probabilities};
 use crate::sensitivity::{Dependence, Sensitivity, Slope};
-use crate::sweep_file::{Job, Sweep};
 use crate::transition_statistics::TransitionStatistics;
 
 /// Counts over the points of a sweep.

@@ -6,10 +6,11 @@
 //! cumulative shares they are Wilson's.
 
 use statrs::distribution::{Binomial, DiscreteCDF};
+use touchdown_input::documents::column::{Cell, Column, cells};
+use touchdown_input::points::levels::rounded;
 use touchdown_search::boundary::Boundary;
 use touchdown_search::search_range::Search;
 
-use crate::column::{Cell, Column, cells};
 use crate::probabilities::wilson;
 
 /// Shares whose quantiles are listed.
@@ -277,14 +278,14 @@ pub fn edges(sorted: &[f64]) -> Vec<f64> {
     let from = (first / width).ceil() as i64 - 1;
     let to = (last / width).ceil() as i64;
     (from..=to)
-        .map(|edge| crate::levels::rounded(edge as f64 * width))
+        .map(|edge| rounded(edge as f64 * width))
         .collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::column::tests::text;
+    use crate::examples::text;
     use touchdown_dynamics::outcome::Class;
     use touchdown_search::boundary::Transition;
     use touchdown_search::certainty::Certainty;

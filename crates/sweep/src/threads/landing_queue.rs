@@ -240,8 +240,8 @@ mod tests {
     use touchdown_dynamics::scene::CrushRule;
 
     use super::*;
-    use crate::measured_scenes::near_boundary;
-    use crate::vehicle_file::tests::surveyor;
+    use crate::examples::surveyor;
+    use touchdown_input::sweeps::measured_scenes::near_boundary;
 
     /// Requests a landing without waiting for it.
     fn ask(queue: &LandingQueue, search: usize) {

@@ -16,8 +16,8 @@ use std::task::{Poll, ready};
 use futures::future::poll_fn;
 use futures::stream::{self, StreamExt};
 use thiserror::Error;
+use touchdown_input::sweeps::case::CaseFault;
 
-use crate::case::CaseFault;
 use crate::journal::JournalError;
 use crate::landing_queue::LandingQueue;
 
@@ -189,8 +189,8 @@ mod tests {
     use touchdown_dynamics::vehicle::Vehicle;
 
     use super::*;
-    use crate::measured_scenes::near_boundary;
-    use crate::vehicle_file::tests::surveyor;
+    use crate::examples::surveyor;
+    use touchdown_input::sweeps::measured_scenes::near_boundary;
 
     fn workers(threads: usize) -> Workers {
         Workers::start(NonZeroUsize::new(threads)).unwrap()

@@ -11,7 +11,7 @@
 //! use touchdown_sweep::run::Workers;
 //! use touchdown_sweep::runner::{Runner, Task};
 //! use touchdown_sweep::shard::Shard;
-//! use touchdown_sweep::sweep_file::Sweep;
+//! use touchdown_input::sweeps::sweep_file::Sweep;
 //! use touchdown_sweep::tables::TablesError;
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -40,14 +40,15 @@
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
-use crate::cases::CaseTable;
+use touchdown_input::sweeps::cases::CaseTable;
+use touchdown_input::sweeps::sweep_file::Sweep;
+
 use crate::file_writer::Folder;
 use crate::header::Header;
 use crate::journal::{InOrder, Journal, JournalError, Opened};
 use crate::journal_files;
 use crate::run::{Observer, RunError, Workers};
 use crate::shard::Shard;
-use crate::sweep_file::Sweep;
 
 /// Threads, folder and callbacks shared by runs.
 pub struct Runner<'r> {
@@ -105,7 +106,10 @@ impl<'r> Runner<'r> {
                 });
                 (journal_files::name(&sweep.stem(), shard), header?)
             }
-            Task::Cases(table, name) => (format!("{name}.journal"), table.header(self.version)),
+            Task::Cases(table, name) => (
+                format!("{name}.journal"),
+                Header::of_cases(table, self.version),
+            ),
         };
         let path = self.folder.path(&name);
         let opened = Journal::open(&path, &header).map_err(RunError::Journal)?;

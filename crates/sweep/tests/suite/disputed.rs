@@ -4,15 +4,15 @@
 
 use std::path::Path;
 
+use touchdown_input::points::design::Design;
+use touchdown_input::points::grid::Grid;
+use touchdown_input::points::levels::Levels;
+use touchdown_input::sweeps::sweep::Job;
+use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_search::certainty::Certainty;
-use touchdown_sweep::design::Design;
 use touchdown_sweep::findings::Finding;
-use touchdown_sweep::grid::Grid;
-use touchdown_sweep::levels::Levels;
 use touchdown_sweep::results;
 use touchdown_sweep::run::Workers;
-use touchdown_sweep::sweep::Job;
-use touchdown_sweep::sweep_file::Sweep;
 
 /// Tipped by 9 deg at an azimuth of 22.5 deg, level, cross-slope 180 deg: 11.4631 ft/s at 3e-5, converged 11.4668.
 #[test]

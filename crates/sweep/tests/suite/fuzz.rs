@@ -8,14 +8,14 @@ use std::path::Path;
 
 use proptest::prelude::*;
 use touchdown_dynamics::scene::{CrushRule, Settings};
-use touchdown_sweep::cases;
-use touchdown_sweep::document::Document;
+use touchdown_input::documents::document::Document;
+use touchdown_input::documents::library::{Library, Source};
+use touchdown_input::readers::vehicle_file::VehicleFile;
+use touchdown_input::sweeps::cases;
+use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_sweep::header::Header;
 use touchdown_sweep::journal::{InOrder, Journal};
-use touchdown_sweep::library::{Library, Source};
 use touchdown_sweep::shard::Shard;
-use touchdown_sweep::sweep_file::Sweep;
-use touchdown_sweep::vehicle_file::VehicleFile;
 
 const SWEEPS: [&str; 3] = [
     include_str!("../../../../sweeps/figure-4-25.toml"),

@@ -3,11 +3,11 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use touchdown_sweep::assignment::Assignment;
-use touchdown_sweep::column::Cell;
+use touchdown_input::documents::column::Cell;
+use touchdown_input::points::assignment::Assignment;
+use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_sweep::results;
 use touchdown_sweep::run::Workers;
-use touchdown_sweep::sweep_file::Sweep;
 
 fn home() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")

@@ -5,8 +5,8 @@
 use std::collections::BTreeMap;
 
 use touchdown_dynamics::quantity::{IfMissing, Quantity};
-use touchdown_sweep::input_keys::{tables, word_choices};
-use touchdown_sweep::unit::unit;
+use touchdown_input::documents::unit::unit;
+use touchdown_input::sweeps::input_keys::{tables, word_choices};
 
 const REFERENCE: &str = include_str!(concat!(
     env!("CARGO_MANIFEST_DIR"),

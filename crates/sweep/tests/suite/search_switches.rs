@@ -6,17 +6,17 @@
 use std::path::{Path, PathBuf};
 
 use touchdown_dynamics::outcome::Class;
+use touchdown_input::documents::library::{Library, Source};
+use touchdown_input::points::design::Design;
+use touchdown_input::points::grid::Grid;
+use touchdown_input::points::levels::Levels;
+use touchdown_input::sweeps::sweep_file::{Job, Sweep};
 use touchdown_search::boundary::{Boundary, Extent};
 use touchdown_search::certainty::{Certainty, Doubt};
 use touchdown_search::refine::Refinement;
 use touchdown_search::scan::Scan;
-use touchdown_sweep::design::Design;
 use touchdown_sweep::findings::Finding;
-use touchdown_sweep::grid::Grid;
-use touchdown_sweep::levels::Levels;
-use touchdown_sweep::library::{Library, Source};
 use touchdown_sweep::run::Workers;
-use touchdown_sweep::sweep_file::{Job, Sweep};
 
 /// A sweep of Phase II at some values of its axis.
 fn sweep(name: &str, values: &[f64]) -> Sweep {

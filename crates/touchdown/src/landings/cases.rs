@@ -4,14 +4,15 @@ use std::path::Path;
 
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::scene::Settings;
+use touchdown_input::documents::output_units::OutputUnits;
+use touchdown_input::readers::vehicle_file::VehicleFile;
+use touchdown_input::sweeps::cases::{self, CaseTable};
 use touchdown_search::contact_warnings::ContactWarnings;
-use touchdown_sweep::cases::{self, CaseTable};
+use touchdown_sweep::case_results;
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::journal::InOrder;
-use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::run::Workers;
 use touchdown_sweep::runner::{Runner, Task};
-use touchdown_sweep::vehicle_file::VehicleFile;
 use touchdown_sweep::warnings;
 
 use crate::failure::Failure;
@@ -61,7 +62,7 @@ pub fn run(
     let landings = landings(&table, &mut results)?;
     let names: Vec<String> = (0..count).map(|row| table.name(row)).collect();
     let rows = names.iter().map(String::as_str).zip(&landings);
-    let written = cases::table(out, rows, units, &table.input).map_err(Failure::running)?;
+    let written = case_results::table(out, rows, units, &table.input).map_err(Failure::running)?;
     let files = folder.write_files(&[(name, written)])?;
     results.remove_journals()?;
     let rows = names.iter().zip(&landings);

@@ -7,16 +7,17 @@ use std::sync::atomic::AtomicBool;
 use clap::Args;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::scene::Settings;
-use touchdown_sweep::assignment::{self, Assignment};
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::documents::output_units::OutputUnits;
+use touchdown_input::points::assignment::{self, Assignment};
+use touchdown_input::points::parameter::Home;
+use touchdown_input::readers::vehicle_file::VehicleFile;
+use touchdown_sweep::case_results;
 use touchdown_sweep::file_writer::Draft;
 use touchdown_sweep::history::History;
-use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::landing_report::{self, LandingReport};
 use touchdown_sweep::output_guard::OutputGuard;
-use touchdown_sweep::output_units::OutputUnits;
-use touchdown_sweep::parameter::Home;
 use touchdown_sweep::run::Workers;
-use touchdown_sweep::vehicle_file::VehicleFile;
 
 use crate::failure::Failure;
 use crate::interrupt;
@@ -180,7 +181,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     match (&options.cases, &options.out) {
         (Some(cases), Some(out)) => {
             let workers = Workers::start(options.threads)?;
-            guard.check(out, |line| touchdown_sweep::cases::is_table(out, line))?;
+            guard.check(out, |line| case_results::is_table(out, line))?;
             let (quiet, vehicle) = (options.quiet, &vehicle);
             cases::run(&workers, quiet, vehicle, &settings, cases, out, units)
         }

@@ -1,11 +1,11 @@
 //! The report of one landing as text.
 
 use touchdown_dynamics::landing::LegWork;
+use touchdown_input::points::parameter::Home;
+use touchdown_input::readers::method_input::method_words;
+use touchdown_input::readers::settings_input::rules_in_words;
 use touchdown_sweep::landing_report::{LandingReport, verdict_time};
 use touchdown_sweep::landing_table::why;
-use touchdown_sweep::method_input::method_words;
-use touchdown_sweep::parameter::Home;
-use touchdown_sweep::settings_input::rules_in_words;
 
 use crate::integration_report;
 use crate::summary::number;

@@ -5,14 +5,15 @@ use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use touchdown_dynamics::landing::Landing;
+use touchdown_input::documents::output_units::OutputUnits;
+use touchdown_input::readers::method_input::method_words;
+use touchdown_input::sweeps::scene_file::{self, SceneCase, SceneFile};
+use touchdown_sweep::case_results;
 use touchdown_sweep::file_writer::{Draft, Folder};
 use touchdown_sweep::history::History;
 use touchdown_sweep::landing_report;
 use touchdown_sweep::output_guard::OutputGuard;
-use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::run::Observer;
-use touchdown_sweep::scene_file::{self, SceneCase, SceneFile};
-use touchdown_sweep::{cases, method_input::method_words};
 
 use crate::failure::Failure;
 use crate::interrupt;
@@ -53,7 +54,7 @@ pub fn run(
     }
     let table = format!("{stem}.csv");
     guard.check(&folder.path(&table), |line| {
-        cases::is_table(Path::new(&table), line)
+        case_results::is_table(Path::new(&table), line)
     })?;
 
     let (cancel, start) = (interrupt::flag()?, Instant::now());
@@ -79,7 +80,7 @@ pub fn run(
     }
     let names = cases.iter().map(|case| case.name.as_str());
     let rows = names.zip(&landings);
-    let results = cases::csv_table(rows, units).map_err(Failure::running)?;
+    let results = case_results::csv_table(rows, units).map_err(Failure::running)?;
     written.extend(folder.write_files(&[(table, results)])?);
     print(&text(&cases, &landings, units))?;
     for (case, landing) in cases.iter().zip(&landings) {

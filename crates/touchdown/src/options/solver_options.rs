@@ -7,12 +7,12 @@ use touchdown_dynamics::rules::{
     ContactRule, CrushRule, FrictionProfile, RestRule, RuleChoices, Rules, TopplingRule,
 };
 use touchdown_dynamics::scene::Settings;
-use touchdown_sweep::assignment::Assignment;
-use touchdown_sweep::choice::{chosen, words};
-use touchdown_sweep::document::Value;
-use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::method_input::{METHODS, MethodNumbers, method};
-use touchdown_sweep::settings_input::{
+use touchdown_input::documents::document::Value;
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::points::assignment::Assignment;
+use touchdown_input::readers::choice::{chosen, words};
+use touchdown_input::readers::method_input::{METHODS, MethodNumbers, method};
+use touchdown_input::readers::settings_input::{
     CONTACT_RULES, CRUSH_RULES, FRICTION_PROFILES, REST_RULES, RULES, STOPS, Stop, TOPPLING_RULES,
     settings_with, stopping,
 };

@@ -9,12 +9,12 @@ use touchdown_dynamics::quantities::{
 use touchdown_dynamics::quantity::{IfMissing, Quantity};
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
-use touchdown_sweep::assignment::{self, Assignment};
-use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::output_units::OutputUnits;
-use touchdown_sweep::parameter::Parameter;
-use touchdown_sweep::scene_input::{NamedConditions, SceneFault};
-use touchdown_sweep::unit::{unit, without_program_unit};
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::documents::output_units::OutputUnits;
+use touchdown_input::documents::unit::{unit, without_program_unit};
+use touchdown_input::points::assignment::{self, Assignment};
+use touchdown_input::points::parameter::Parameter;
+use touchdown_input::readers::scene_input::{NamedConditions, SceneFault};
 
 /// The conditions of a single touchdown: an option for each in the catalogue, and one in SI where results in SI have
 /// another unit.

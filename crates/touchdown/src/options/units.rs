@@ -2,7 +2,7 @@
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use touchdown_sweep::output_units::OutputUnits;
+use touchdown_input::documents::output_units::OutputUnits;
 
 /// Units by name.
 pub fn units() -> impl TypedValueParser<Value = OutputUnits> {

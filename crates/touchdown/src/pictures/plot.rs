@@ -8,9 +8,9 @@ use rayon::prelude::*;
 use touchdown_figures::levels::Levels;
 use touchdown_figures::picture::{self, Choices, Picture, Source};
 use touchdown_figures::png;
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::documents::library::Library;
 use touchdown_sweep::file_writer::Folder;
-use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::library::Library;
 
 use crate::failure::Failure;
 use crate::print::print_paths;

@@ -1,7 +1,7 @@
 //! The axes of a sweep and their values, in words.
 
 use serde_json::Value;
-use touchdown_sweep::sweep_file::Sweep;
+use touchdown_input::sweeps::sweep_file::Sweep;
 
 /// Longest axis whose values are all listed, and how many are listed of a longer one before its last.
 const MOST_LISTED: usize = 16;

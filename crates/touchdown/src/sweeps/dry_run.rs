@@ -9,18 +9,18 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use touchdown_input::documents::output_units::OutputUnits;
+use touchdown_input::points::refined_grid::{MapRules, RefinedGrid};
+use touchdown_input::sweeps::sweep_file::{Job, Sweep};
 use touchdown_sweep::findings::Finding;
 use touchdown_sweep::header::Header;
 use touchdown_sweep::journal::{self, JournalError, Records};
 use touchdown_sweep::journal_files;
-use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::point_set::PointSet;
-use touchdown_sweep::refined_grid::{MapRules, RefinedGrid};
 use touchdown_sweep::results;
 use touchdown_sweep::rounds::Rounds;
 use touchdown_sweep::run::{Observer, RunError, Workers};
 use touchdown_sweep::shard::Shard;
-use touchdown_sweep::sweep_file::{Job, Sweep};
 
 use crate::axis_words;
 use crate::estimate::{Estimate, Sample, Taken, evenly};

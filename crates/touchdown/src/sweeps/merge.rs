@@ -3,14 +3,14 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_sweep::file_writer::Folder;
-use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::journal::{Access, InOrder};
 use touchdown_sweep::journal_files;
 use touchdown_sweep::merge::{Shards, by_sweep};
 use touchdown_sweep::result_files;
 use touchdown_sweep::results::Circumstances;
-use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::tables;
 
 use crate::failure::Failure;

@@ -3,10 +3,10 @@
 use std::path::Path;
 use std::time::Duration;
 
-use touchdown_sweep::output_units::OutputUnits;
+use touchdown_input::documents::output_units::OutputUnits;
+use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::sweep_counts::SweepCounts;
-use touchdown_sweep::sweep_file::Sweep;
 
 use crate::summary;
 

@@ -8,16 +8,16 @@ use std::thread::{self, ScopedJoinHandle};
 use std::time::Instant;
 
 use clap::Args;
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::documents::output_units::OutputUnits;
+use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_sweep::file_writer::Folder;
-use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::journal_files;
-use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::result_files;
 use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::run::Workers;
 use touchdown_sweep::runner::{self, Runner, Task};
 use touchdown_sweep::shard::Shard;
-use touchdown_sweep::sweep_file::Sweep;
 
 use crate::failure::Failure;
 use crate::overrides::OverrideOptions;

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use touchdown_sweep::input_error::InputError;
-use touchdown_sweep::sweep_file::Sweep;
+use touchdown_input::documents::input_error::InputError;
+use touchdown_input::sweeps::sweep_file::Sweep;
 
 /// Reads all sweeps before anything is run.
 ///

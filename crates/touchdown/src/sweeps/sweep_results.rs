@@ -5,13 +5,13 @@ use std::path::PathBuf;
 use clap::ValueEnum;
 use touchdown_figures::figure_error::FigureError;
 use touchdown_figures::picture::{self, Choices, Source};
-use touchdown_sweep::design::Design;
+use touchdown_input::points::design::Design;
+use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::journal::InOrder;
 use touchdown_sweep::result_files::{self, NamedFiles};
 use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::sweep_counts::SweepCounts;
-use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::tables::Tables;
 
 use crate::failure::Failure;

@@ -3,8 +3,8 @@
 use std::fmt;
 use std::process::ExitCode;
 
+use touchdown_input::documents::input_error::InputError;
 use touchdown_sweep::file_writer::WriteError;
-use touchdown_sweep::input_error::InputError;
 use touchdown_sweep::journal::JournalError;
 use touchdown_sweep::merge::MergeError;
 use touchdown_sweep::run::RunError;

@@ -3,15 +3,15 @@
 use std::path::PathBuf;
 
 use touchdown_dynamics::landing::Landing;
+use touchdown_input::documents::output_units::OutputUnits;
+use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_search::boundary::{Extent, Transition};
 use touchdown_search::certainty::{Certainty, LEAST_LANDINGS};
 use touchdown_search::hidden_band_checks::HiddenBandChecks;
 use touchdown_search::skipped::Skipped;
-use touchdown_sweep::output_units::OutputUnits;
 use touchdown_sweep::probabilities::{Count, wilson};
 use touchdown_sweep::results::Circumstances;
 use touchdown_sweep::sweep_counts::SweepCounts;
-use touchdown_sweep::sweep_file::Sweep;
 use touchdown_sweep::transition_statistics::{Rank, TransitionStatistics};
 use touchdown_sweep::warnings;
 pub use touchdown_sweep::warnings::number;

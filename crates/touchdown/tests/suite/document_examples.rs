@@ -143,7 +143,7 @@ fn check(folder: &Path, block: &Block, page: &[Block]) -> Result<(), String> {
 
 fn check_page(page: &str) {
     let folder = TempDir::new().unwrap();
-    for tree in ["sweeps", "results/trade", "crates/sweep/src/input/deck"] {
+    for tree in ["sweeps", "results/trade", "crates/input/src/readers/deck"] {
         copy_tree(&root().join(tree), &folder.path().join(tree));
     }
     let blocks = blocks(page);

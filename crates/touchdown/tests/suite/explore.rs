@@ -10,7 +10,7 @@ use std::process::Stdio;
 use serde_json::{Value, json};
 use touchdown_explorer::interface::answer;
 use touchdown_explorer::named::Named;
-use touchdown_sweep::library::{Library, Source};
+use touchdown_input::documents::library::{Library, Source};
 
 use crate::common::{Bench, SURVEYOR};
 

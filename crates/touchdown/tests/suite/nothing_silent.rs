@@ -145,7 +145,7 @@ fn no_command_writes_over_what_it_reads_or_what_is_not_its_own() {
 
     bench.write(
         "mine.txt",
-        include_str!("../../../sweep/src/input/deck/sample_deck.txt"),
+        include_str!("../../../input/src/readers/deck/sample_deck.txt"),
     );
     for _ in 0..2 {
         assert_eq!(bench.run(&["import-deck", "mine.txt"]).code, Some(0));

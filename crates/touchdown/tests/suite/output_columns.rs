@@ -9,8 +9,8 @@ use std::process::Command;
 use crate::golden::golden;
 use serde_json::Value;
 use tempfile::TempDir;
+use touchdown_input::documents::unit::unit;
 use touchdown_sweep::documented_columns;
-use touchdown_sweep::unit::unit;
 
 const PAGE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/output.md"));
 const LEGS: usize = 3;

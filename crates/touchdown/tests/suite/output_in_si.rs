@@ -5,7 +5,7 @@
 mod landings;
 mod sweeps;
 
-use touchdown_sweep::output_units::OutputUnits;
+use touchdown_input::documents::output_units::OutputUnits;
 
 use crate::common::{BASELINE, Bench, Done};
 

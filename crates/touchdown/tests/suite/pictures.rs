@@ -9,7 +9,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use touchdown_sweep::fingerprint::fingerprint;
+use touchdown_input::documents::fingerprint::fingerprint;
 
 use crate::common::Bench;
 use crate::golden::{RENEW, golden};

@@ -315,7 +315,7 @@ fn a_card_deck_lands_as_its_sample_run() {
     let bench = Bench::new();
     bench.write(
         "sample.txt",
-        include_str!("../../../sweep/src/input/deck/sample_deck.txt"),
+        include_str!("../../../input/src/readers/deck/sample_deck.txt"),
     );
     let done = bench.run(&["import-deck", "sample.txt", "--out", "deck"]);
     assert_eq!(done.code, Some(0), "{}", done.err);

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use touchdown_dynamics::landing::{Instant, LegWork};
-use touchdown_sweep::output_units::OutputUnits;
+use touchdown_input::documents::output_units::OutputUnits;
 
 /// Energies at every instant.
 #[derive(Debug, Serialize)]

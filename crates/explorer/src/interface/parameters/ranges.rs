@@ -57,7 +57,7 @@ pub fn shown(quantity: &Quantity, value: f64) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
-    use touchdown_sweep::parameter::Parameter;
+    use touchdown_input::points::parameter::Parameter;
 
     use super::*;
 

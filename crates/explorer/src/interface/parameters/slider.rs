@@ -57,7 +57,7 @@ fn decimal(digits: f64, power: i32) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use touchdown_sweep::parameter::Parameter;
+    use touchdown_input::points::parameter::Parameter;
 
     use super::*;
 

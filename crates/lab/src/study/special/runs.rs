@@ -5,7 +5,7 @@ use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_dynamics::methods::{ErrorControl, ErrorLimits, IntegrationSummary, Method};
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
-use touchdown_sweep::scene_input::NamedConditions;
+use touchdown_input::readers::scene_input::NamedConditions;
 
 use touchdown::terminal::failure::Failure;
 

@@ -6,14 +6,14 @@ use std::sync::{Mutex, PoisonError};
 
 use touchdown_dynamics::batch::{Request, land_many};
 use touchdown_dynamics::landing::Landing;
+use touchdown_input::points::parameter::Home;
+use touchdown_input::sweeps::case::CaseFault;
+use touchdown_input::sweeps::cases::CaseTable;
 
 use super::{Observer, RunError, SEARCHES, Stop, Workers};
-use crate::case::CaseFault;
-use crate::cases::CaseTable;
 use crate::findings::Finding;
 use crate::journal::{JournalError, Opened};
 use crate::landing_queue::LandingQueue;
-use crate::parameter::Home;
 
 impl Workers {
     /// Computes the cases of a table that are not `done`, and adds them to the journal.

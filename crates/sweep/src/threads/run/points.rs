@@ -4,21 +4,21 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use touchdown_dynamics::vehicle::Vehicle;
+use touchdown_input::points::refined_grid::RefinedGrid;
+use touchdown_input::readers::scene_input::{self, SceneFault};
+use touchdown_input::sweeps::case::{Case, CaseFault};
+use touchdown_input::sweeps::sweep_file::{Job, Sweep};
 use touchdown_search::trial::{Scales, Trial};
 use touchdown_search::variation::Variation;
 
 use super::{Observer, RunError, SEARCHES, Stop, Workers};
-use crate::case::{Case, CaseFault};
 use crate::early_stop::EarlyStop;
 use crate::findings::Finding;
 use crate::journal::Opened;
 use crate::landing_queue::LandingQueue;
-use crate::refined_grid::RefinedGrid;
 use crate::rounds::Rounds;
-use crate::scene_input::{self, SceneFault};
 use crate::sensitivity;
 use crate::shard::Shard;
-use crate::sweep_file::{Job, Sweep};
 
 impl Workers {
     /// Computes every point of a shard that is not `done`, and adds it to the journal.
