@@ -19,13 +19,13 @@ grep -q "^version: $version\$" CITATION.cff || refuse "CITATION.cff names anothe
 # What libraries changed since the last release must fit the new version.
 if last=$(git describe --tags --abbrev=0 --match 'v*' 2>/dev/null); then
     command -v cargo-semver-checks > /dev/null || cargo install --locked cargo-semver-checks
-    cargo semver-checks --baseline-rev "$last" --package touchdown-dynamics --package touchdown-sweep \
-        --package touchdown-figures --package touchdown-explorer
+    cargo semver-checks --baseline-rev "$last" --package touchdown-dynamics --package touchdown-search \
+        --package touchdown-input --package touchdown-sweep --package touchdown-figures --package touchdown-explorer
 fi
 
 mkdir -p "$out"
 # Each after those that it uses.
-crates=(touchdown-dynamics touchdown-sweep touchdown-figures touchdown-explorer touchdown)
+crates=(touchdown-dynamics touchdown-search touchdown-input touchdown-sweep touchdown-figures touchdown-explorer touchdown)
 cargo package "${crates[@]/#/--package=}"
 for crate in "${crates[@]}"; do
     cp "target/package/$crate-$version.crate" "$out"

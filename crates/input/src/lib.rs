@@ -3,6 +3,14 @@
 //! Numbers are in feet, pounds, slugs and seconds, and angles of files in degrees; keys may also be in SI. A file that says something
 //! wrong ends with a [`documents::input_error::InputError`], which names line, key, value and what is expected.
 //!
+//! **A number of the input is one entry.** Key with its unit, range, default, meaning, usual values and its place in the typed design stand together in the physics'
+//! catalogue (`design/quantities`; `[search]` has its own entries in `readers/search_input`). Checks, readers, axes, `--set`, SI, options of `land`, sliders and
+//! `docs/reference.md` come from it. It is below the readers because a lander built in Rust is checked by it too.
+//!
+//! **A column is one entry.** Its name, the kind of its cells, the function that takes it from a landing, a boundary, a band or an
+//! instant, and its sentence in `docs/output.md` stand together ([`documents::column`]; the catalogues are the `COLUMNS` of
+//! `output` and `summary` of the crate `touchdown-sweep`). CSV, Parquet, JSON, Python and the document come from it. Rows are typed until they are written.
+//!
 //! The crate has floors; each uses only those below it (checked by `scripts/floors.py`):
 //!
 //! | floor | content |

@@ -16,8 +16,8 @@ use std::sync::atomic::AtomicBool;
 use clap::{Args, value_parser};
 use touchdown_dynamics::scene::Settings;
 use touchdown_input::documents::input_error::InputError;
-use touchdown_sweep::file_writer::Folder;
-use touchdown_sweep::run::Workers;
+use touchdown_sweep::output::file_writer::Folder;
+use touchdown_sweep::threads::run::Workers;
 
 use touchdown::finite;
 use touchdown::terminal::failure::Failure;

@@ -22,7 +22,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_input::readers::vehicle_file::VehicleFile;
-use touchdown_sweep::file_writer::Folder;
+use touchdown_sweep::output::file_writer::Folder;
 
 use results::Results;
 use touchdown::terminal::failure::Failure;

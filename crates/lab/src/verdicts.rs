@@ -18,8 +18,8 @@ use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_dynamics::model_version::MODEL_VERSION;
 use touchdown_dynamics::outcome::{Class, Outcome};
 use touchdown_dynamics::scene::Settings;
-use touchdown_sweep::file_writer::{Folder, WriteError};
-use touchdown_sweep::run::Observer;
+use touchdown_sweep::output::file_writer::{Folder, WriteError};
+use touchdown_sweep::threads::run::Observer;
 
 use draw::{Choice, Draw, Stock};
 

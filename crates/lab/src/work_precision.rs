@@ -11,7 +11,7 @@ use touchdown_dynamics::scene::Settings;
 use touchdown_figures::picture::{self, Choices, Source};
 use touchdown_input::readers::vehicle_file::VehicleFile;
 use touchdown_input::sweeps::measured_scenes::{level_grid, near_boundary};
-use touchdown_sweep::file_writer::Folder;
+use touchdown_sweep::output::file_writer::Folder;
 
 use landings::Landings;
 use touchdown::terminal::failure::Failure;

@@ -5,12 +5,12 @@ use std::num::NonZeroUsize;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use touchdown_search::boundary::Boundary;
-use touchdown_sweep::bands_table;
-use touchdown_sweep::findings::Finding;
-use touchdown_sweep::results;
-use touchdown_sweep::run::{Observer, Workers};
-use touchdown_sweep::sweep_counts::SweepCounts;
-use touchdown_sweep::warnings;
+use touchdown_sweep::output::bands_table;
+use touchdown_sweep::output::results;
+use touchdown_sweep::output::warnings;
+use touchdown_sweep::summary::findings::Finding;
+use touchdown_sweep::summary::sweep_counts::SweepCounts;
+use touchdown_sweep::threads::run::{Observer, Workers};
 
 use crate::columns::by_name;
 use crate::errors::Failure;

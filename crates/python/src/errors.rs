@@ -7,10 +7,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use touchdown_input::documents::input_error::InputError;
-use touchdown_sweep::file_writer::WriteError;
 use touchdown_sweep::journal::JournalError;
-use touchdown_sweep::run::RunError;
-use touchdown_sweep::tables::TablesError;
+use touchdown_sweep::output::file_writer::WriteError;
+use touchdown_sweep::output::tables::TablesError;
+use touchdown_sweep::threads::run::RunError;
 
 /// Reason why a call has no result.
 #[derive(Debug)]

@@ -8,7 +8,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
-use touchdown_sweep::run::Observer;
+use touchdown_sweep::threads::run::Observer;
 
 use crate::errors::{Failure, guarded};
 

@@ -6,9 +6,9 @@ use touchdown_dynamics::land::{land as compute, land_observed};
 use touchdown_dynamics::landing::{Instant, Landing, land_located_while};
 use touchdown_dynamics::methods::Method;
 use touchdown_input::documents::input_error::InputError;
-use touchdown_sweep::history::{names, values};
-use touchdown_sweep::landing_report::warning;
-use touchdown_sweep::landing_table::{self, why};
+use touchdown_sweep::output::history::{names, values};
+use touchdown_sweep::output::landing_report::warning;
+use touchdown_sweep::output::landing_table::{self, why};
 
 use crate::columns::{array, by_name};
 use crate::documents::{Scene, Solver, Vehicle, output_units};

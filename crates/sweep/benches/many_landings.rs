@@ -27,7 +27,7 @@ use touchdown_input::readers::vehicle_file::VehicleFile;
 use touchdown_input::sweeps::measured_scenes::level_grid;
 use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_search::boundary::Boundary;
-use touchdown_sweep::run::{RunError, Workers};
+use touchdown_sweep::threads::run::{RunError, Workers};
 
 const ONE_THREAD: &str = "one thread";
 const THREADS: [&str; 2] = [ONE_THREAD, "every core"];

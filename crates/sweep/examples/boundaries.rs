@@ -8,9 +8,9 @@ use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-use touchdown_input::documents::library::{Library, Source};
-use touchdown_input::sweeps::sweep_file::Sweep;
-use touchdown_sweep::run::Workers;
+use touchdown_sweep::input::documents::library::{Library, Source};
+use touchdown_sweep::input::sweeps::sweep_file::Sweep;
+use touchdown_sweep::threads::run::Workers;
 
 const VEHICLE: &str = concat!(
     env!("CARGO_MANIFEST_DIR"),

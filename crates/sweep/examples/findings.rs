@@ -9,8 +9,8 @@
 use std::error::Error;
 use std::path::Path;
 
-use touchdown_input::sweeps::sweep_file::Sweep;
-use touchdown_sweep::run::Workers;
+use touchdown_sweep::input::sweeps::sweep_file::Sweep;
+use touchdown_sweep::threads::run::Workers;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

@@ -18,9 +18,9 @@ use touchdown_dynamics::batch::{Request, land_many};
 use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
-use touchdown_input::readers::scene_input::NamedConditions;
-use touchdown_input::readers::vehicle_file::VehicleFile;
-use touchdown_sweep::probabilities::wilson;
+use touchdown_sweep::input::readers::scene_input::NamedConditions;
+use touchdown_sweep::input::readers::vehicle_file::VehicleFile;
+use touchdown_sweep::summary::probabilities::wilson;
 
 const VEHICLE: &str = concat!(
     env!("CARGO_MANIFEST_DIR"),

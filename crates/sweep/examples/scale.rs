@@ -13,15 +13,15 @@ use std::fs;
 use std::time::Instant;
 
 use touchdown_dynamics::outcome::Class;
-use touchdown_input::sweeps::sweep_file::Sweep;
-use touchdown_search::boundary::{Boundary, Transition};
-use touchdown_search::certainty::Certainty;
-use touchdown_sweep::file_writer::{Draft, Folder};
-use touchdown_sweep::findings::Finding;
-use touchdown_sweep::header::Header;
+use touchdown_sweep::input::sweeps::sweep_file::Sweep;
+use touchdown_sweep::journal::header::Header;
+use touchdown_sweep::journal::shard::Shard;
 use touchdown_sweep::journal::{InOrder, Journal};
-use touchdown_sweep::shard::Shard;
-use touchdown_sweep::tables::Tables;
+use touchdown_sweep::output::file_writer::{Draft, Folder};
+use touchdown_sweep::output::tables::Tables;
+use touchdown_sweep::search::boundary::{Boundary, Transition};
+use touchdown_sweep::search::certainty::Certainty;
+use touchdown_sweep::summary::findings::Finding;
 
 const SWEEP: &str = include_str!("../../../sweeps/figure-4-09.toml");
 const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");

@@ -28,9 +28,9 @@ pub use error::JournalError;
 pub use in_order::InOrder;
 pub use records::{Access, Records};
 
-use crate::findings::Finding;
-use crate::header::Header;
-use crate::point_set::PointSet;
+use crate::journal::header::Header;
+use crate::journal::point_set::PointSet;
+use crate::summary::findings::Finding;
 use error::io_error;
 use head::{Head, ensure_head};
 use scan::{Piece, Scan};

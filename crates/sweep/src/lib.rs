@@ -1,19 +1,19 @@
 //! Sweeps of lander touchdowns: from input files to result tables.
 //!
-//! Landings themselves are those of `touchdown-dynamics`; numbers are in feet, pounds, slugs and seconds, and angles of input
+//! Landings themselves are those of `touchdown-dynamics`, input files those of [`input`], searches those of [`search`]; numbers are in feet, pounds, slugs and seconds, and angles of input
 //! files and tables in degrees. Results do not depend on the number of threads, on interruptions or on the machine.
 //!
 //! # A boundary
 //!
 //! V_H is the lowest horizontal velocity at which a landing is not stable. A sweep file names a vehicle, conditions, axes and
-//! a search; [`run::Workers`] search its points on all cores.
+//! a search; [`threads::run::Workers`] search its points on all cores.
 //!
 //! ```
 //! use std::path::Path;
 //!
 //! use touchdown_dynamics::outcome::Class;
-//! use touchdown_sweep::run::Workers;
-//! use touchdown_input::sweeps::sweep_file::Sweep;
+//! use touchdown_sweep::input::sweeps::sweep_file::Sweep;
+//! use touchdown_sweep::threads::run::Workers;
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! # std::env::set_current_dir("../..")?;
@@ -35,35 +35,28 @@
 //!
 //! # A sweep
 //!
-//! [`runner`] computes a whole sweep into a journal, from which an interrupted run goes on, and writes its tables; its page
-//! has the few lines that this takes. [`touchdown_input::sweeps::overrides::Overrides`] replaces values as the options of the command line do.
+//! [`threads::runner`] computes a whole sweep into a journal, from which an interrupted run goes on, and writes its tables; its page
+//! has the few lines that this takes. [`input::sweeps::overrides::Overrides`] replaces values as the
+//! options of the command line do.
 //!
 //! # How a sweep is computed
 //!
 //! **Searches ask, threads land.** A search knows which landing it wants next only when it knows the last one, while lanes want many at
 //! a time. So searches are `async` and ask at once for all landings that they will need anyway. Many searches run side by side on the
-//! first thread, which lands too and keeps the journal, and what they ask for waits in the `landing_queue`, the first point first. A landing does not depend
+//! first thread, which lands too and keeps the journal, and what they ask for waits in the `threads/landing_queue`, the first point first. A landing does not depend
 //! on its neighbours, so neither does a search.
 //!
 //! **Maps want points in rounds.** What is wanted of a first-level cell (`maps/cell_refinement`, `maps/interval_refinement` over one axis) depends on what is known in it alone, so
 //! that threads, interruptions and shards, each of which has whole cells, change nothing. A round is what all results of the rounds
 //! before call for; with a budget, the most urgent part of it (`maps/rounds`). Every place has a number in the finest grid
-//! (`points/refined_grid`), by which the journal knows it.
+//! (`input/points/refined_grid`), by which the journal knows it.
 //!
 //! **Results outlive a crash.** A grid is never written out: a point follows from its number. Each result goes to the journal as soon as it is
 //! known; tables are written from the journal in the order of the points, beside their place and then renamed. Tables of
 //! cases go the same way, a row being a point.
 //!
-//! **A number of the input is one entry.** Key with its unit, range, default, meaning, usual values and its place in the typed design stand together in the physics'
-//! catalogue (`design/quantities`; `[search]` has its own entries in `input/search_input`). Checks, readers, axes, `--set`, SI, options of `land`, sliders and
-//! `docs/reference.md` come from it. It is below the readers because a lander built in Rust is checked by it too.
-//!
-//! **A column is one entry.** Its name, the kind of its cells, the function that takes it from a landing, a boundary, a band or an
-//! instant, and its sentence in `docs/output.md` stand together (`documents/column`; the catalogues are the `COLUMNS` of
-//! `output` and `summary`). CSV, Parquet, JSON, Python and the document come from it. Rows are typed until they are written.
-//!
 //! **Units change at the end.** Everything up to the journal is in feet and pounds. `OutputUnits::quantity` turns the name of a column
-//! and its numbers into SI where tables, records and reports are written (`tables`, `input_in_units`, `report`), and pictures
+//! and its numbers into SI where tables, records and reports are written (`output/tables`, `output/landing_report`, `sweeps/input_in_units` of [`input`]), and pictures
 //! take their units from the names in the tables.
 //!
 //! # Versions
@@ -77,40 +70,30 @@
 //!
 //! | floor | content |
 //! |---|---|
-//! | `threads` | landings and searches on all cores |
-//! | `output` | result tables, records, histories; tables of cases |
-//! | `maps` | choice of the next points of a map, its surface and edges |
+//! | [`threads`] | landings and searches on all cores |
+//! | [`output`] | result tables, records, histories; files written completely or not at all |
+//! | [`maps`] | choice of the next points of a map, its surface and edges |
 //! | [`journal`] | every finished point stored at once; resuming, shards, merging |
-//! | `summary` | results of points, and their summary |
+//! | [`summary`] | results of points, and their summary |
 //! | [`sensitivity`] | dependence of transitions on the input |
 //!
-//! Nothing here prints: progress goes to a [`run::Observer`], input errors are [`touchdown_input::documents::input_error::InputError`]s.
+//! Below it are two crates, shown here as [`input`] and [`search`], so that one dependency is enough.
+//!
+//! Nothing here prints: progress goes to a [`threads::run::Observer`], input errors are [`input::documents::input_error::InputError`]s.
 
 #![warn(unnameable_types)]
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 #[cfg(test)]
 mod examples;
-mod maps;
-mod output;
-mod summary;
-mod threads;
-
 pub mod journal;
+pub mod maps;
+pub mod output;
 pub mod sensitivity;
+pub mod summary;
+pub mod threads;
 
-use journal::early_stop;
-pub use journal::{header, journal_files, merge, point_set, shard};
-use maps::{
-    cell, cell_refinement, curved, edge_lines, interval_refinement, located_side, pieces,
-    profile_edges, resampled, speed_bands, surface_pieces,
-};
-pub use maps::{height, rounds};
-pub use output::{
-    bands_table, case_results, documented_columns, file_writer, history, landing_report,
-    landing_table, output_guard, result_files, results, tables, warnings,
-};
-use output::{map_tables, parquet_table, sensitivity_table};
-pub use summary::{findings, probabilities, sweep_counts, transition_statistics};
-use threads::landing_queue;
-pub use threads::{run, runner};
+#[doc(no_inline)]
+pub use touchdown_input as input;
+#[doc(no_inline)]
+pub use touchdown_search as search;

@@ -3,16 +3,16 @@
 pub(crate) mod cell;
 pub(crate) mod cell_refinement;
 pub(crate) mod curved;
-pub mod edge_lines;
+pub(crate) mod edge_lines;
 pub mod height;
 pub(crate) mod interval_refinement;
 pub(crate) mod located_side;
 pub(crate) mod pieces;
 pub(crate) mod profile_edges;
-pub mod resampled;
+pub(crate) mod resampled;
 pub mod rounds;
 pub(crate) mod speed_bands;
-pub mod surface_pieces;
+pub(crate) mod surface_pieces;
 
 #[cfg(test)]
 mod profile_tests;

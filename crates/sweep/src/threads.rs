@@ -1,5 +1,5 @@
 //! Landings and searches on all cores.
 
-pub(crate) mod landing_queue;
+mod landing_queue;
 pub mod run;
 pub mod runner;

@@ -13,12 +13,12 @@ use touchdown_input::points::assignment::{self, Assignment};
 use touchdown_input::readers::scene_input::HORIZONTAL_VELOCITY;
 use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_search::boundary::Boundary;
-use touchdown_sweep::bands_table;
-use touchdown_sweep::findings::Finding;
-use touchdown_sweep::landing_table::{self, why};
-use touchdown_sweep::probabilities::wilson;
-use touchdown_sweep::results;
-use touchdown_sweep::run::Workers;
+use touchdown_sweep::output::bands_table;
+use touchdown_sweep::output::landing_table::{self, why};
+use touchdown_sweep::output::results;
+use touchdown_sweep::summary::findings::Finding;
+use touchdown_sweep::summary::probabilities::wilson;
+use touchdown_sweep::threads::run::Workers;
 
 use crate::failure::Failure;
 use crate::print::print;

@@ -14,7 +14,7 @@ use touchdown_explorer::named::Named;
 use touchdown_explorer::server::{LOOPBACK, Server, random_digits};
 use touchdown_input::documents::input_error::InputError;
 use touchdown_input::documents::library::Library;
-use touchdown_sweep::output_guard::OutputGuard;
+use touchdown_sweep::output::output_guard::OutputGuard;
 
 use crate::failure::Failure;
 use crate::land_files::place_of;

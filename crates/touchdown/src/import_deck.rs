@@ -7,8 +7,8 @@ use clap::Args;
 use touchdown_input::documents::input_error::Place;
 use touchdown_input::documents::library::Library;
 use touchdown_input::readers::deck::{Deck, Run, parse};
-use touchdown_sweep::file_writer::Folder;
-use touchdown_sweep::output_guard::OutputGuard;
+use touchdown_sweep::output::file_writer::Folder;
+use touchdown_sweep::output::output_guard::OutputGuard;
 
 use crate::failure::Failure;
 use crate::print::print_paths;

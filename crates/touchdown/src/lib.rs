@@ -33,7 +33,7 @@ use std::sync::LazyLock;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use touchdown_dynamics::model_version::MODEL_VERSION;
-use touchdown_sweep::results::COMMIT;
+use touchdown_sweep::output::results::COMMIT;
 
 pub use options::touchdown_options::finite;
 

@@ -17,7 +17,7 @@ use touchdown_input::documents::input_error::InputError;
 use touchdown_input::documents::output_units::OutputUnits;
 use touchdown_input::points::parameter::Parameter;
 use touchdown_input::readers::vehicle_file::VehicleFile;
-use touchdown_sweep::run::Observer;
+use touchdown_sweep::threads::run::Observer;
 
 use crate::failure::Failure;
 use crate::interrupt;

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 use touchdown_dynamics::outcome::Class;
-use touchdown_sweep::probabilities::wilson;
-use touchdown_sweep::transition_statistics::edges;
+use touchdown_sweep::summary::probabilities::wilson;
+use touchdown_sweep::summary::transition_statistics::edges;
 
 use super::complaint::Complaint;
 use super::in_units::in_units;

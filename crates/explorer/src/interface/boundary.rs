@@ -4,7 +4,7 @@ use serde::Deserialize;
 use serde_json::json;
 use touchdown_input::documents::column::{Cell, cells};
 use touchdown_search::boundary::Extent;
-use touchdown_sweep::results::COLUMNS;
+use touchdown_sweep::output::results::COLUMNS;
 
 use super::IsOver;
 use super::complaint::Complaint;

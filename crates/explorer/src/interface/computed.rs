@@ -8,7 +8,7 @@ use touchdown_input::points::parameter::Parameter;
 use touchdown_input::readers::scene_input::HORIZONTAL_VELOCITY;
 use touchdown_input::readers::settings_input::solver_in_record;
 use touchdown_input::sweeps::resolved_input;
-use touchdown_sweep::results::COLUMNS;
+use touchdown_sweep::output::results::COLUMNS;
 
 use super::complaint::Complaint;
 use super::request::Asked;

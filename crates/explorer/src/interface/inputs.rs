@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use serde_json::{Value, json};
 use touchdown_dynamics::outcome::Class;
-use touchdown_sweep::results::program;
+use touchdown_sweep::output::results::program;
 
 use super::classes::class_words;
 use super::complaint::Complaint;

@@ -11,8 +11,8 @@ use touchdown_dynamics::landing::{Instant, land_located_while};
 use touchdown_dynamics::methods::IntegrationSummary;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_figures::unit::split_unit;
-use touchdown_sweep::landing_report::{self, LandingReport, verdict_time};
-use touchdown_sweep::landing_table::why;
+use touchdown_sweep::output::landing_report::{self, LandingReport, verdict_time};
+use touchdown_sweep::output::landing_table::why;
 
 use super::IsOver;
 use super::classes::{ClassWords, class_words};

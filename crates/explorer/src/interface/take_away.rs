@@ -8,7 +8,7 @@ use touchdown_input::documents::toml_text;
 use touchdown_input::documents::unit::without_program_unit;
 use touchdown_input::points::assignment::Assignment;
 use touchdown_input::points::parameter::Home;
-use touchdown_sweep::history::History;
+use touchdown_sweep::output::history::History;
 
 use super::IsOver;
 use super::complaint::Complaint;

@@ -12,8 +12,8 @@ use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::outcome::Class;
 use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
-use touchdown_input::sweeps::measured_scenes::near_boundary;
 use touchdown_input::readers::vehicle_file::VehicleFile;
+use touchdown_input::sweeps::measured_scenes::near_boundary;
 
 use crate::integrator::{Integrator, settings};
 use crate::plain_landing::{PlainLanding, Until};

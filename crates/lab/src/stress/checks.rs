@@ -4,7 +4,7 @@ use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::outcome::{Failure, Outcome};
 use touchdown_dynamics::scene::Settings;
 use touchdown_input::documents::column::{Cell, cells, headings};
-use touchdown_sweep::landing_table::COLUMNS;
+use touchdown_sweep::output::landing_table::COLUMNS;
 
 /// Largest part of the energy involved by which its account may stay open, in units of the tolerance, for
 /// each so many seconds begun.

@@ -7,7 +7,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use touchdown_sweep::run::Observer;
+use touchdown_sweep::threads::run::Observer;
 
 /// Time between two checks for landings that take too long.
 const POLL_INTERVAL: Duration = Duration::from_secs(1);

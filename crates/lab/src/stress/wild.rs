@@ -3,10 +3,10 @@
 use std::time::Duration;
 
 use touchdown_dynamics::model_version::MODEL_VERSION;
-use touchdown_sweep::findings::Finding;
 use touchdown_sweep::journal::InOrder;
-use touchdown_sweep::runner::{Runner, Task};
-use touchdown_sweep::shard::Shard;
+use touchdown_sweep::journal::shard::Shard;
+use touchdown_sweep::summary::findings::Finding;
+use touchdown_sweep::threads::runner::{Runner, Task};
 
 use super::Bench;
 use super::account::Account;

@@ -12,7 +12,7 @@ use touchdown_dynamics::scene::Scene;
 use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_figures::boundary_table::Kind;
 use touchdown_input::documents::input_error::InputError;
-use touchdown_sweep::run::Workers;
+use touchdown_sweep::threads::run::Workers;
 
 use super::answer::signed;
 use super::results::Results;

@@ -9,7 +9,7 @@ use touchdown_dynamics::landing::Instant;
 use touchdown_dynamics::model_version::MODEL_VERSION;
 use touchdown_dynamics::outcome::{Class, Outcome};
 use touchdown_dynamics::vehicle::{Leg, Vehicle};
-use touchdown_sweep::file_writer::Folder;
+use touchdown_sweep::output::file_writer::Folder;
 
 use super::draw::{Draw, HIGHEST, Stock, like};
 use super::{LIMIT, Options, land_all, of_all_draws, settings};

@@ -6,10 +6,10 @@ use std::collections::BTreeMap;
 
 use touchdown_input::sweeps::sweep_file::{Job, Sweep};
 
-use crate::findings::Finding;
+use crate::journal::shard::Shard;
 use crate::journal::{JournalError, Opened};
-use crate::shard::Shard;
-use crate::sweep_counts::SweepCounts;
+use crate::summary::findings::Finding;
+use crate::summary::sweep_counts::SweepCounts;
 
 /// The first landings without a gap.
 #[derive(Debug)]

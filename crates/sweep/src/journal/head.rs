@@ -7,7 +7,7 @@ use std::path::Path;
 use super::error::{JournalError, io_error};
 use super::frame::{self, HEADER_SEED};
 use super::scan::{Piece, Scan};
-use crate::header::Header;
+use crate::journal::header::Header;
 
 /// The head of a journal.
 #[derive(Debug, Clone, Copy)]

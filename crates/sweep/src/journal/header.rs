@@ -16,7 +16,7 @@ use touchdown_input::sweeps::cases::CaseTable;
 use touchdown_input::sweeps::origin::Origin;
 use touchdown_input::sweeps::sweep_file::Sweep;
 
-use crate::shard::Shard;
+use crate::journal::shard::Shard;
 
 /// Version of the journals written by this program.
 const FORMAT: u32 = 9;

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::shard::Shard;
+use crate::journal::shard::Shard;
 
 const ENDING: &str = "journal";
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
-use crate::header::Header;
+use crate::journal::header::Header;
 use crate::journal::{Access, JournalError, Records};
 
 /// The journals of one sweep.

@@ -7,8 +7,8 @@ use super::error::{JournalError, io_error};
 use super::head::{Head, read_head, same};
 use super::record;
 use super::scan::{Piece, Scan};
-use crate::header::Header;
-use crate::point_set::PointSet;
+use crate::journal::header::Header;
+use crate::journal::point_set::PointSet;
 
 /// Permitted concurrent access to a journal being read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

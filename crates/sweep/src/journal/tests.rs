@@ -1,5 +1,5 @@
 use super::*;
-use crate::shard::Shard;
+use crate::journal::shard::Shard;
 
 const POINTS: usize = 6;
 

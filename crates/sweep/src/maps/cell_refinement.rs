@@ -9,10 +9,10 @@ use std::collections::BTreeMap;
 
 use touchdown_input::points::refined_grid::{MapRules, Place};
 
-use crate::cell::{Cell, middle, nearest, position};
-use crate::height::Height;
-use crate::located_side::{BRACKET, edges, located};
-use crate::pieces::{Around, Crossing, Known, Piece};
+use crate::maps::cell::{Cell, middle, nearest, position};
+use crate::maps::height::Height;
+use crate::maps::located_side::{BRACKET, edges, located};
+use crate::maps::pieces::{Around, Crossing, Known, Piece};
 
 /// Weight of an unlocated end of transitions, compared with the square root of an error in ft/s, in choosing the most
 /// urgent places.

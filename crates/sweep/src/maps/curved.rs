@@ -9,8 +9,8 @@ use std::collections::HashMap;
 
 use nalgebra::{Matrix6, Vector6};
 
-use crate::cell::{Position, middle};
-use crate::pieces::Corner;
+use crate::maps::cell::{Position, middle};
+use crate::maps::pieces::Corner;
 
 /// Greatest and least number of places in a fit; the least is twice the number of coefficients.
 const NEAREST: usize = 16;

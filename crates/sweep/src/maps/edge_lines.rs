@@ -4,9 +4,9 @@ use std::collections::HashMap;
 
 use touchdown_input::points::refined_grid::Place;
 
-use crate::cell::{Position, middle, position};
-use crate::pieces::{Crossing, Known};
-use crate::surface_pieces::MapSurface;
+use crate::maps::cell::{Position, middle, position};
+use crate::maps::pieces::{Crossing, Known};
+use crate::maps::surface_pieces::MapSurface;
 
 /// Kind of an edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! First transition and number of bands of a point, as used by refinement.
 
-use crate::findings::Finding;
+use crate::summary::findings::Finding;
 
 /// Result of a point as used by maps.
 #[derive(Debug, Clone, Copy, PartialEq)]

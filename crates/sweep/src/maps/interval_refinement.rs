@@ -6,10 +6,10 @@
 
 use touchdown_input::points::refined_grid::MapRules;
 
-use crate::cell::Cell;
-use crate::cell_refinement::{END, Leaf, Refined, UNKNOWN};
-use crate::located_side::BRACKET;
-use crate::speed_bands::SpeedBands;
+use crate::maps::cell::Cell;
+use crate::maps::cell_refinement::{END, Leaf, Refined, UNKNOWN};
+use crate::maps::located_side::BRACKET;
+use crate::maps::speed_bands::SpeedBands;
 
 /// Refines a first-level interval.
 pub(crate) fn refined<'k>(

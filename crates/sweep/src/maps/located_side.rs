@@ -5,8 +5,8 @@
 
 use touchdown_input::points::refined_grid::Place;
 
-use crate::cell::{half_way, steps};
-use crate::height::Height;
+use crate::maps::cell::{half_way, steps};
+use crate::maps::height::Height;
 
 /// Steps between which an edge counts as located.
 pub(crate) const BRACKET: usize = 2;

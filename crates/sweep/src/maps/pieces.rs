@@ -5,9 +5,9 @@
 
 use touchdown_input::points::refined_grid::Place;
 
-use crate::cell::{Position, middle, position};
-use crate::height::Height;
-use crate::located_side::edges;
+use crate::maps::cell::{Position, middle, position};
+use crate::maps::height::Height;
+use crate::maps::located_side::edges;
 
 /// A position and the first transition there, ft/s.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,8 +1,8 @@
 //! Edges of a map over one axis: places where the bands over V_H change in class or jump.
 
-use crate::edge_lines::EdgeKind;
-use crate::located_side::BRACKET;
-use crate::rounds::Rounds;
+use crate::maps::edge_lines::EdgeKind;
+use crate::maps::located_side::BRACKET;
+use crate::maps::rounds::Rounds;
 
 /// An edge.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,12 +5,12 @@ use touchdown_input::points::grid::Grid;
 use touchdown_input::points::levels::Levels;
 use touchdown_input::points::refined_grid::{MapRules, RefinedGrid};
 
-use crate::edge_lines::EdgeKind;
-use crate::height::Height;
-use crate::profile_edges;
-use crate::rounds::Rounds;
-use crate::shard::Shard;
-use crate::speed_bands::SpeedBands;
+use crate::journal::shard::Shard;
+use crate::maps::edge_lines::EdgeKind;
+use crate::maps::height::Height;
+use crate::maps::profile_edges;
+use crate::maps::rounds::Rounds;
+use crate::maps::speed_bands::SpeedBands;
 
 /// Four intervals of ten units, divided down to 10/64 of a unit.
 fn grid(rules: MapRules) -> RefinedGrid {

@@ -1,8 +1,8 @@
 //! A map as a regular table: the surface and its estimated error at even steps.
 
-use crate::cell::Position;
-use crate::pieces::speed_within;
-use crate::surface_pieces::MapSurface;
+use crate::maps::cell::Position;
+use crate::maps::pieces::speed_within;
+use crate::maps::surface_pieces::MapSurface;
 
 /// A place of the regular table.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,14 +4,14 @@ use std::collections::{BTreeMap, HashMap};
 
 use touchdown_input::points::refined_grid::{Place, RefinedGrid};
 
-use crate::cell::Cell;
-use crate::cell_refinement::{self, Leaf};
-use crate::findings::Finding;
-use crate::height::Height;
-use crate::interval_refinement;
-use crate::shard::Shard;
-use crate::speed_bands::SpeedBands;
-use crate::sweep_counts::CoarseCells;
+use crate::journal::shard::Shard;
+use crate::maps::cell::Cell;
+use crate::maps::cell_refinement::{self, Leaf};
+use crate::maps::height::Height;
+use crate::maps::interval_refinement;
+use crate::maps::speed_bands::SpeedBands;
+use crate::summary::findings::Finding;
+use crate::summary::sweep_counts::CoarseCells;
 
 /// Of the places that are wanted, the part that a round takes where a budget leaves some undone, and the least number
 /// of them.

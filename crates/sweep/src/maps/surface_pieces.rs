@@ -4,10 +4,10 @@ use std::collections::{BTreeSet, HashMap};
 
 use touchdown_input::points::refined_grid::{Place, RefinedGrid};
 
-use crate::cell::{Cell, Position, position};
-use crate::curved::CurvedSurface;
-use crate::pieces::{Around, Corner, Cut, Known, Piece};
-use crate::rounds::Rounds;
+use crate::maps::cell::{Cell, Position, position};
+use crate::maps::curved::CurvedSurface;
+use crate::maps::pieces::{Around, Corner, Cut, Known, Piece};
+use crate::maps::rounds::Rounds;
 
 /// The surface of one map.
 #[derive(Debug)]

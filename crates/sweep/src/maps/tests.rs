@@ -4,11 +4,11 @@ use touchdown_input::points::grid::Grid;
 use touchdown_input::points::levels::Levels;
 use touchdown_input::points::refined_grid::{MapRules, RefinedGrid};
 
-use crate::height::Height;
-use crate::resampled::Resampled;
-use crate::rounds::Rounds;
-use crate::shard::Shard;
-use crate::surface_pieces::MapSurface;
+use crate::journal::shard::Shard;
+use crate::maps::height::Height;
+use crate::maps::resampled::Resampled;
+use crate::maps::rounds::Rounds;
+use crate::maps::surface_pieces::MapSurface;
 
 /// Four by four cells of ten units, with sides divided down to an eighth of a unit or less.
 fn grid(rules: MapRules) -> RefinedGrid {
@@ -149,10 +149,10 @@ fn between_points_the_surface_follows_its_curvature() {
     let off = |place: &Resampled| (place.speed.unwrap() - dome(place.at).unwrap()).abs();
     let curved = surface.resampled().iter().map(off).fold(0.0, f64::max);
     let flat = surface.parts.iter().flat_map(|part| &part.pieces);
-    let sides = |[a, b, c]: [crate::pieces::Corner; 3]| [[a, b], [b, c]];
+    let sides = |[a, b, c]: [crate::maps::pieces::Corner; 3]| [[a, b], [b, c]];
     let flat = flat.flat_map(|piece| piece.triangles().flat_map(sides));
     let flat = flat.map(|[a, b]| {
-        let at = surface.coordinates(crate::cell::middle(a.at, b.at));
+        let at = surface.coordinates(crate::maps::cell::middle(a.at, b.at));
         (0.5 * (a.speed + b.speed) - dome(at).unwrap()).abs()
     });
     let flat = flat.fold(0.0, f64::max);

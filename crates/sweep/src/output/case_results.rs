@@ -8,8 +8,8 @@ use touchdown_dynamics::landing::Landing;
 use touchdown_input::documents::column::{Cell, Kind, cells, headings};
 use touchdown_input::documents::output_units::{OutputUnits, Quantity};
 
-use crate::landing_table::COLUMNS;
-use crate::parquet_table::ParquetTable;
+use crate::output::landing_table::COLUMNS;
+use crate::output::parquet_table::ParquetTable;
 
 /// First column: the name of the case.
 const CASE: &str = "case";
@@ -30,7 +30,7 @@ pub fn is_table(file: &Path, line: &str) -> bool {
 /// The results of cases for `file` in these units, as Parquet or CSV: `case`, then the columns of [`landing_table`] for the
 /// greatest number of legs. Parquet has the input of the cases in its metadata.
 ///
-/// [`landing_table`]: crate::landing_table
+/// [`landing_table`]: crate::output::landing_table
 ///
 /// # Errors
 /// Only out of memory.
@@ -101,7 +101,7 @@ fn columns(legs: usize, units: OutputUnits) -> impl Iterator<Item = (Quantity, K
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::findings::tests::example;
+    use crate::summary::findings::tests::example;
 
     #[test]
     fn results_begin_with_the_case() {

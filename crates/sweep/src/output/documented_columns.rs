@@ -2,9 +2,10 @@
 
 use touchdown_input::documents::column::{Column, described};
 
-use crate::map_tables::{EDGE_COLUMNS, GRID_COLUMNS, SURFACE_COLUMNS};
-use crate::transition_statistics::{DISTRIBUTION_COLUMNS, QUANTILE_COLUMNS};
-use crate::{bands_table, history, landing_table, probabilities, results, sensitivity_table};
+use crate::output::map_tables::{EDGE_COLUMNS, GRID_COLUMNS, SURFACE_COLUMNS};
+use crate::output::{bands_table, history, landing_table, results, sensitivity_table};
+use crate::summary::probabilities;
+use crate::summary::transition_statistics::{DISTRIBUTION_COLUMNS, QUANTILE_COLUMNS};
 
 /// Widths of edges, one for each refined axis.
 const WITHIN: [Column<()>; 1] = [Column::number(

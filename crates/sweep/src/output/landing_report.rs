@@ -12,8 +12,8 @@ use touchdown_input::readers::settings_input::solver_in_record;
 use touchdown_input::readers::vehicle_file::VehicleFile;
 use touchdown_search::contact_warnings::ContactWarnings;
 
-use crate::landing_table::{self, why};
-use crate::results;
+use crate::output::landing_table::{self, why};
+use crate::output::results;
 
 /// Content of the report of a landing.
 #[derive(Debug, Clone, Copy)]

@@ -197,7 +197,7 @@ fn failure(outcome: &Outcome) -> String {
 mod tests {
     use super::*;
     use crate::examples::{names, text};
-    use crate::findings::tests::example;
+    use crate::summary::findings::tests::example;
     use touchdown_input::documents::column::{cells, headings};
 
     #[test]

@@ -4,11 +4,11 @@ use touchdown_input::documents::column::{Cell, Column, Heading, cells, headings}
 use touchdown_input::points::refined_grid::RefinedGrid;
 use touchdown_input::sweeps::sweep_file::Sweep;
 
-use crate::edge_lines::{EdgeKind, EdgeLine};
-use crate::profile_edges;
-use crate::resampled::Resampled;
-use crate::rounds::Rounds;
-use crate::surface_pieces::MapSurface;
+use crate::maps::edge_lines::{EdgeKind, EdgeLine};
+use crate::maps::profile_edges;
+use crate::maps::resampled::Resampled;
+use crate::maps::rounds::Rounds;
+use crate::maps::surface_pieces::MapSurface;
 
 /// Columns of the regular table after the axes.
 pub const GRID_COLUMNS: [Column<Resampled>; 2] = [

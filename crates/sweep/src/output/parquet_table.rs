@@ -19,7 +19,7 @@ use touchdown_input::documents::column::{Cell, Kind};
 use touchdown_input::documents::unit::unit;
 use touchdown_input::sweeps::sweep_file::Sweep;
 
-use crate::results;
+use crate::output::results;
 
 /// Rows of a group, which are held in memory.
 const GROUP: usize = 1 << 16;

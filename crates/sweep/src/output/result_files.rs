@@ -7,12 +7,12 @@ use touchdown_input::documents::input_error::InputError;
 use touchdown_input::documents::output_units::OutputUnits;
 use touchdown_input::sweeps::sweep::{Sweep, partial};
 
-use crate::file_writer::{Draft, Folder, WriteError};
 use crate::journal::InOrder;
-use crate::output_guard::OutputGuard;
-use crate::results;
-use crate::sweep_counts::SweepCounts;
-use crate::tables::{Tables, TablesError};
+use crate::output::file_writer::{Draft, Folder, WriteError};
+use crate::output::output_guard::OutputGuard;
+use crate::output::results;
+use crate::output::tables::{Tables, TablesError};
+use crate::summary::sweep_counts::SweepCounts;
 
 /// Files by name.
 pub type NamedFiles = Vec<(String, Vec<u8>)>;

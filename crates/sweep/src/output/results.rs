@@ -9,11 +9,11 @@ use touchdown_input::sweeps::sweep_file::{Job, Sweep};
 use touchdown_search::boundary::{Boundary, Transition};
 use touchdown_search::certainty::Certainty;
 
-use crate::findings::Finding;
-use crate::landing_table;
-use crate::probabilities::wilson;
-use crate::sweep_counts::SweepCounts;
-use crate::transition_statistics::{ABOVE, AT_OR_BELOW};
+use crate::output::landing_table;
+use crate::summary::findings::Finding;
+use crate::summary::probabilities::wilson;
+use crate::summary::sweep_counts::SweepCounts;
+use crate::summary::transition_statistics::{ABOVE, AT_OR_BELOW};
 
 /// Columns of the table of a boundary sweep, after the axes.
 pub const COLUMNS: [Column<Boundary>; 14] = [

@@ -10,7 +10,7 @@ use touchdown_input::documents::output_units::Quantity;
 use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_search::boundary::Boundary;
 
-use crate::results::transition_name;
+use crate::output::results::transition_name;
 use crate::sensitivity::{Dependence, Sensitivity, Slope, span};
 
 /// A parameter at a point, and how its transition depends on it.

@@ -10,15 +10,18 @@ use touchdown_input::points::refined_grid::RefinedGrid;
 use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_search::boundary::Extent;
 
-use crate::file_writer::{Draft, Folder, WriteError};
-use crate::findings::Finding;
 use crate::journal::{InOrder, JournalError};
-use crate::parquet_table::{self, ParquetTable};
-use crate::rounds::Rounds;
-use crate::sensitivity_table;
-use crate::sweep_counts::SweepCounts;
-use crate::transition_statistics::{DISTRIBUTION_COLUMNS, QUANTILE_COLUMNS, TransitionStatistics};
-use crate::{bands_table, map_tables, probabilities, results};
+use crate::maps::rounds::Rounds;
+use crate::output::file_writer::{Draft, Folder, WriteError};
+use crate::output::parquet_table::{self, ParquetTable};
+use crate::output::sensitivity_table;
+use crate::output::{bands_table, map_tables, results};
+use crate::summary::findings::Finding;
+use crate::summary::probabilities;
+use crate::summary::sweep_counts::SweepCounts;
+use crate::summary::transition_statistics::{
+    DISTRIBUTION_COLUMNS, QUANTILE_COLUMNS, TransitionStatistics,
+};
 
 /// Tables that are written but not yet in place.
 #[derive(Debug)]

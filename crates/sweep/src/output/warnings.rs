@@ -6,8 +6,8 @@ use touchdown_input::documents::output_units::OutputUnits;
 use touchdown_input::sweeps::sweep::Sweep;
 use touchdown_search::contact_warnings::ContactWarnings;
 
-use crate::landing_report;
-use crate::sweep_counts::SweepCounts;
+use crate::output::landing_report;
+use crate::summary::sweep_counts::SweepCounts;
 
 /// Warnings of a sweep: landings without a result, transitions that are only bounds, or that the smallest changes move, and
 /// contact.

@@ -9,10 +9,10 @@ use touchdown_search::contact_warnings::ContactWarnings;
 use touchdown_search::hidden_band_checks::HiddenBandChecks;
 use touchdown_search::skipped::Skipped;
 
-use crate::findings::Finding;
-use crate::probabilities::{Count, Probabilities};
 use crate::sensitivity::{Dependence, Sensitivity, Slope};
-use crate::transition_statistics::TransitionStatistics;
+use crate::summary::findings::Finding;
+use crate::summary::probabilities::{Count, Probabilities};
+use crate::summary::transition_statistics::TransitionStatistics;
 
 /// Counts over the points of a sweep.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -11,7 +11,7 @@ use touchdown_input::points::levels::rounded;
 use touchdown_search::boundary::Boundary;
 use touchdown_search::search_range::Search;
 
-use crate::probabilities::wilson;
+use crate::summary::probabilities::wilson;
 
 /// Shares whose quantiles are listed.
 pub const SHARES: [f64; 11] = [

@@ -19,7 +19,7 @@ use thiserror::Error;
 use touchdown_input::sweeps::case::CaseFault;
 
 use crate::journal::JournalError;
-use crate::landing_queue::LandingQueue;
+use crate::threads::landing_queue::LandingQueue;
 
 /// Points searched at a time per thread: as many as it has landings in progress, if each asks for one at a time.
 const SEARCHES: usize = 16;

@@ -6,13 +6,13 @@
 //! use std::path::Path;
 //! use std::sync::atomic::AtomicBool;
 //!
-//! use touchdown_sweep::file_writer::Folder;
-//! use touchdown_sweep::result_files::{self, NamedFiles};
-//! use touchdown_sweep::run::Workers;
-//! use touchdown_sweep::runner::{Runner, Task};
-//! use touchdown_sweep::shard::Shard;
-//! use touchdown_input::sweeps::sweep_file::Sweep;
-//! use touchdown_sweep::tables::TablesError;
+//! use touchdown_sweep::input::sweeps::sweep_file::Sweep;
+//! use touchdown_sweep::journal::shard::Shard;
+//! use touchdown_sweep::output::file_writer::Folder;
+//! use touchdown_sweep::output::result_files::{self, NamedFiles};
+//! use touchdown_sweep::output::tables::TablesError;
+//! use touchdown_sweep::threads::run::Workers;
+//! use touchdown_sweep::threads::runner::{Runner, Task};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! # std::env::set_current_dir("../..")?;
@@ -43,12 +43,12 @@ use std::sync::atomic::AtomicBool;
 use touchdown_input::sweeps::cases::CaseTable;
 use touchdown_input::sweeps::sweep_file::Sweep;
 
-use crate::file_writer::Folder;
-use crate::header::Header;
+use crate::journal::header::Header;
+use crate::journal::journal_files;
+use crate::journal::shard::Shard;
 use crate::journal::{InOrder, Journal, JournalError, Opened};
-use crate::journal_files;
-use crate::run::{Observer, RunError, Workers};
-use crate::shard::Shard;
+use crate::output::file_writer::Folder;
+use crate::threads::run::{Observer, RunError, Workers};
 
 /// Threads, folder and callbacks shared by runs.
 pub struct Runner<'r> {

@@ -10,9 +10,9 @@ use touchdown_input::points::levels::Levels;
 use touchdown_input::sweeps::sweep::Job;
 use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_search::certainty::Certainty;
-use touchdown_sweep::findings::Finding;
-use touchdown_sweep::results;
-use touchdown_sweep::run::Workers;
+use touchdown_sweep::output::results;
+use touchdown_sweep::summary::findings::Finding;
+use touchdown_sweep::threads::run::Workers;
 
 /// Tipped by 9 deg at an azimuth of 22.5 deg, level, cross-slope 180 deg: 11.4631 ft/s at 3e-5, converged 11.4668.
 #[test]

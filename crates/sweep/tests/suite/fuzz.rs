@@ -13,9 +13,9 @@ use touchdown_input::documents::library::{Library, Source};
 use touchdown_input::readers::vehicle_file::VehicleFile;
 use touchdown_input::sweeps::cases;
 use touchdown_input::sweeps::sweep_file::Sweep;
-use touchdown_sweep::header::Header;
+use touchdown_sweep::journal::header::Header;
+use touchdown_sweep::journal::shard::Shard;
 use touchdown_sweep::journal::{InOrder, Journal};
-use touchdown_sweep::shard::Shard;
 
 const SWEEPS: [&str; 3] = [
     include_str!("../../../../sweeps/figure-4-25.toml"),

@@ -10,8 +10,8 @@ use touchdown_input::documents::library::{Library, Source};
 use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_search::boundary::Boundary;
 use touchdown_search::hidden_band_checks::CheckCounts;
-use touchdown_sweep::findings::Finding;
-use touchdown_sweep::run::Workers;
+use touchdown_sweep::summary::findings::Finding;
+use touchdown_sweep::threads::run::Workers;
 
 const SURVEYOR: &str = include_str!("../../../../sweeps/vehicles/surveyor-table-4-1.toml");
 

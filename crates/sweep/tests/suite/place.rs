@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use touchdown_input::documents::column::Cell;
 use touchdown_input::points::assignment::Assignment;
 use touchdown_input::sweeps::sweep_file::Sweep;
-use touchdown_sweep::results;
-use touchdown_sweep::run::Workers;
+use touchdown_sweep::output::results;
+use touchdown_sweep::threads::run::Workers;
 
 fn home() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")

@@ -15,8 +15,8 @@ use touchdown_search::boundary::{Boundary, Extent};
 use touchdown_search::certainty::{Certainty, Doubt};
 use touchdown_search::refine::Refinement;
 use touchdown_search::scan::Scan;
-use touchdown_sweep::findings::Finding;
-use touchdown_sweep::run::Workers;
+use touchdown_sweep::summary::findings::Finding;
+use touchdown_sweep::threads::run::Workers;
 
 /// A sweep of Phase II at some values of its axis.
 fn sweep(name: &str, values: &[f64]) -> Sweep {

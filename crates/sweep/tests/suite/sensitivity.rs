@@ -8,9 +8,9 @@ use std::path::Path;
 use touchdown_input::documents::library::{Library, Source};
 use touchdown_input::sweeps::overrides::Overrides;
 use touchdown_input::sweeps::sweep_file::Sweep;
-use touchdown_sweep::findings::Finding;
-use touchdown_sweep::run::Workers;
 use touchdown_sweep::sensitivity::{Dependence, Slope};
+use touchdown_sweep::summary::findings::Finding;
+use touchdown_sweep::threads::run::Workers;
 
 const SURVEYOR: &str = include_str!("../../../../sweeps/vehicles/surveyor-table-4-1.toml");
 /// The same without products of inertia: its right side is the mirror image of its left.

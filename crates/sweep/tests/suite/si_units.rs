@@ -17,11 +17,11 @@ use touchdown_input::sweeps::overrides::Overrides;
 use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_input::sweeps::{cases, scene_file};
 use touchdown_search::boundary::Boundary;
-use touchdown_sweep::findings::Finding;
-use touchdown_sweep::header::Header;
-use touchdown_sweep::run::Workers;
+use touchdown_sweep::journal::header::Header;
+use touchdown_sweep::journal::shard::Shard;
 use touchdown_sweep::sensitivity::Dependence;
-use touchdown_sweep::shard::Shard;
+use touchdown_sweep::summary::findings::Finding;
+use touchdown_sweep::threads::run::Workers;
 
 const SURVEYOR: &str = include_str!("../../../../sweeps/vehicles/surveyor-table-4-1.toml");
 const SURVEYOR_SI: &str = include_str!("../../../../sweeps/vehicles/surveyor-si.toml");

@@ -8,12 +8,12 @@ use touchdown_input::documents::output_units::OutputUnits;
 use touchdown_input::readers::vehicle_file::VehicleFile;
 use touchdown_input::sweeps::cases::{self, CaseTable};
 use touchdown_search::contact_warnings::ContactWarnings;
-use touchdown_sweep::case_results;
-use touchdown_sweep::findings::Finding;
 use touchdown_sweep::journal::InOrder;
-use touchdown_sweep::run::Workers;
-use touchdown_sweep::runner::{Runner, Task};
-use touchdown_sweep::warnings;
+use touchdown_sweep::output::case_results;
+use touchdown_sweep::output::warnings;
+use touchdown_sweep::summary::findings::Finding;
+use touchdown_sweep::threads::run::Workers;
+use touchdown_sweep::threads::runner::{Runner, Task};
 
 use crate::failure::Failure;
 use crate::land_files::place_of;

@@ -12,12 +12,12 @@ use touchdown_input::documents::output_units::OutputUnits;
 use touchdown_input::points::assignment::{self, Assignment};
 use touchdown_input::points::parameter::Home;
 use touchdown_input::readers::vehicle_file::VehicleFile;
-use touchdown_sweep::case_results;
-use touchdown_sweep::file_writer::Draft;
-use touchdown_sweep::history::History;
-use touchdown_sweep::landing_report::{self, LandingReport};
-use touchdown_sweep::output_guard::OutputGuard;
-use touchdown_sweep::run::Workers;
+use touchdown_sweep::output::case_results;
+use touchdown_sweep::output::file_writer::Draft;
+use touchdown_sweep::output::history::History;
+use touchdown_sweep::output::landing_report::{self, LandingReport};
+use touchdown_sweep::output::output_guard::OutputGuard;
+use touchdown_sweep::threads::run::Workers;
 
 use crate::failure::Failure;
 use crate::interrupt;

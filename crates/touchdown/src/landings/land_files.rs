@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use touchdown_input::documents::input_error::InputError;
-use touchdown_sweep::file_writer::{Draft, Folder, WriteError};
-use touchdown_sweep::history::History;
+use touchdown_sweep::output::file_writer::{Draft, Folder, WriteError};
+use touchdown_sweep::output::history::History;
 
 /// Most instants in a history: a hundred times what the longest landing needs at 0.01 s.
 const LONGEST_HISTORY: f64 = 1e7;

@@ -4,8 +4,8 @@ use touchdown_dynamics::landing::LegWork;
 use touchdown_input::points::parameter::Home;
 use touchdown_input::readers::method_input::method_words;
 use touchdown_input::readers::settings_input::rules_in_words;
-use touchdown_sweep::landing_report::{LandingReport, verdict_time};
-use touchdown_sweep::landing_table::why;
+use touchdown_sweep::output::landing_report::{LandingReport, verdict_time};
+use touchdown_sweep::output::landing_table::why;
 
 use crate::integration_report;
 use crate::summary::number;

@@ -8,12 +8,12 @@ use touchdown_dynamics::landing::Landing;
 use touchdown_input::documents::output_units::OutputUnits;
 use touchdown_input::readers::method_input::method_words;
 use touchdown_input::sweeps::scene_file::{self, SceneCase, SceneFile};
-use touchdown_sweep::case_results;
-use touchdown_sweep::file_writer::{Draft, Folder};
-use touchdown_sweep::history::History;
-use touchdown_sweep::landing_report;
-use touchdown_sweep::output_guard::OutputGuard;
-use touchdown_sweep::run::Observer;
+use touchdown_sweep::output::case_results;
+use touchdown_sweep::output::file_writer::{Draft, Folder};
+use touchdown_sweep::output::history::History;
+use touchdown_sweep::output::landing_report;
+use touchdown_sweep::output::output_guard::OutputGuard;
+use touchdown_sweep::threads::run::Observer;
 
 use crate::failure::Failure;
 use crate::interrupt;

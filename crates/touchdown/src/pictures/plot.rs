@@ -10,7 +10,7 @@ use touchdown_figures::picture::{self, Choices, Picture, Source};
 use touchdown_figures::png;
 use touchdown_input::documents::input_error::InputError;
 use touchdown_input::documents::library::Library;
-use touchdown_sweep::file_writer::Folder;
+use touchdown_sweep::output::file_writer::Folder;
 
 use crate::failure::Failure;
 use crate::print::print_paths;

@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use touchdown_input::documents::output_units::OutputUnits;
 use touchdown_input::sweeps::sweep_file::Sweep;
-use touchdown_sweep::results::Circumstances;
-use touchdown_sweep::sweep_counts::SweepCounts;
+use touchdown_sweep::output::results::Circumstances;
+use touchdown_sweep::summary::sweep_counts::SweepCounts;
 
 use crate::summary;
 

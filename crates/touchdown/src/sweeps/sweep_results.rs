@@ -7,12 +7,12 @@ use touchdown_figures::figure_error::FigureError;
 use touchdown_figures::picture::{self, Choices, Source};
 use touchdown_input::points::design::Design;
 use touchdown_input::sweeps::sweep_file::Sweep;
-use touchdown_sweep::file_writer::Folder;
 use touchdown_sweep::journal::InOrder;
-use touchdown_sweep::result_files::{self, NamedFiles};
-use touchdown_sweep::results::Circumstances;
-use touchdown_sweep::sweep_counts::SweepCounts;
-use touchdown_sweep::tables::Tables;
+use touchdown_sweep::output::file_writer::Folder;
+use touchdown_sweep::output::result_files::{self, NamedFiles};
+use touchdown_sweep::output::results::Circumstances;
+use touchdown_sweep::output::tables::Tables;
+use touchdown_sweep::summary::sweep_counts::SweepCounts;
 
 use crate::failure::Failure;
 use crate::plot;

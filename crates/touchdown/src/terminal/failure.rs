@@ -4,11 +4,11 @@ use std::fmt;
 use std::process::ExitCode;
 
 use touchdown_input::documents::input_error::InputError;
-use touchdown_sweep::file_writer::WriteError;
 use touchdown_sweep::journal::JournalError;
-use touchdown_sweep::merge::MergeError;
-use touchdown_sweep::run::RunError;
-use touchdown_sweep::tables::TablesError;
+use touchdown_sweep::journal::merge::MergeError;
+use touchdown_sweep::output::file_writer::WriteError;
+use touchdown_sweep::output::tables::TablesError;
+use touchdown_sweep::threads::run::RunError;
 
 /// Exit code after an interruption: 128 + SIGINT, as shells report it.
 pub const INTERRUPTED: u8 = 130;

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
-use touchdown_sweep::run::Observer;
+use touchdown_sweep::threads::run::Observer;
 
 /// Time between lines where there is no terminal, ms.
 const LINE_INTERVAL: u64 = 5000;

@@ -9,12 +9,12 @@ use touchdown_search::boundary::{Extent, Transition};
 use touchdown_search::certainty::{Certainty, LEAST_LANDINGS};
 use touchdown_search::hidden_band_checks::HiddenBandChecks;
 use touchdown_search::skipped::Skipped;
-use touchdown_sweep::probabilities::{Count, wilson};
-use touchdown_sweep::results::Circumstances;
-use touchdown_sweep::sweep_counts::SweepCounts;
-use touchdown_sweep::transition_statistics::{Rank, TransitionStatistics};
-use touchdown_sweep::warnings;
-pub use touchdown_sweep::warnings::number;
+use touchdown_sweep::output::results::Circumstances;
+use touchdown_sweep::output::warnings;
+pub use touchdown_sweep::output::warnings::number;
+use touchdown_sweep::summary::probabilities::{Count, wilson};
+use touchdown_sweep::summary::sweep_counts::SweepCounts;
+use touchdown_sweep::summary::transition_statistics::{Rank, TransitionStatistics};
 
 /// Summary of a table of cases; without a time where it was not one run.
 pub fn cases(

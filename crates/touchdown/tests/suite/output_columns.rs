@@ -10,7 +10,7 @@ use crate::golden::golden;
 use serde_json::Value;
 use tempfile::TempDir;
 use touchdown_input::documents::unit::unit;
-use touchdown_sweep::documented_columns;
+use touchdown_sweep::output::documented_columns;
 
 const PAGE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/output.md"));
 const LEGS: usize = 3;

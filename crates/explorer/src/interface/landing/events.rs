@@ -4,8 +4,8 @@ use serde::Serialize;
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::per_leg::PerLeg;
-use touchdown_sweep::landing_report::verdict_time;
-use touchdown_sweep::landing_table::why;
+use touchdown_sweep::output::landing_report::verdict_time;
+use touchdown_sweep::output::landing_table::why;
 
 /// A single event.
 #[derive(Debug, Serialize)]

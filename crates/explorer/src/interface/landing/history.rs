@@ -5,7 +5,7 @@ use touchdown_dynamics::landing::Instant;
 use touchdown_figures::axis_title::column_words;
 use touchdown_figures::unit::split_unit;
 use touchdown_input::documents::output_units::OutputUnits;
-use touchdown_sweep::history::{names, values};
+use touchdown_sweep::output::history::{names, values};
 
 /// Columns with the names used in history files.
 #[derive(Debug, Serialize)]

@@ -13,7 +13,7 @@ use touchdown_figures::map_table::{self, Edge, EdgeKind, MapTable};
 use touchdown_figures::palette;
 use touchdown_figures::refined_map;
 use touchdown_figures::surface::{Cell, Surface};
-use touchdown_sweep::results::LEVEL;
+use touchdown_sweep::output::results::LEVEL;
 
 use super::table::{Point, Transitions};
 use crate::interface::classes::hex;

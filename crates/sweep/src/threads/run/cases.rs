@@ -11,9 +11,9 @@ use touchdown_input::sweeps::case::CaseFault;
 use touchdown_input::sweeps::cases::CaseTable;
 
 use super::{Observer, RunError, SEARCHES, Stop, Workers};
-use crate::findings::Finding;
 use crate::journal::{JournalError, Opened};
-use crate::landing_queue::LandingQueue;
+use crate::summary::findings::Finding;
+use crate::threads::landing_queue::LandingQueue;
 
 impl Workers {
     /// Computes the cases of a table that are not `done`, and adds them to the journal.

@@ -12,13 +12,13 @@ use touchdown_search::trial::{Scales, Trial};
 use touchdown_search::variation::Variation;
 
 use super::{Observer, RunError, SEARCHES, Stop, Workers};
-use crate::early_stop::EarlyStop;
-use crate::findings::Finding;
 use crate::journal::Opened;
-use crate::landing_queue::LandingQueue;
-use crate::rounds::Rounds;
+use crate::journal::early_stop::EarlyStop;
+use crate::journal::shard::Shard;
+use crate::maps::rounds::Rounds;
 use crate::sensitivity;
-use crate::shard::Shard;
+use crate::summary::findings::Finding;
+use crate::threads::landing_queue::LandingQueue;
 
 impl Workers {
     /// Computes every point of a shard that is not `done`, and adds it to the journal.
