@@ -7,7 +7,7 @@ pub mod input_keys;
 pub mod measured_scenes;
 pub mod origin;
 pub mod overrides;
-pub mod place;
+mod place;
 pub mod resolved_input;
 pub mod scene_file;
 pub mod single_landing;

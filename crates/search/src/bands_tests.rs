@@ -9,8 +9,7 @@ use futures::future::poll_fn;
 use std::cell::Cell;
 use std::convert::Infallible;
 use std::task::Poll;
-use touchdown_dynamics::outcome::Class;
-use touchdown_dynamics::outcome::Outcome;
+use touchdown_dynamics::outcome::{Class, Outcome};
 
 const SEARCH: Search = Search {
     from: 0.0,

@@ -14,8 +14,8 @@ use crate::documents::input_error::InputError;
 use crate::documents::section::Section;
 use crate::points::parameter::{Home, Parameter};
 use crate::readers::scene_input::{HORIZONTAL_VELOCITY, NamedConditions, SceneFault};
-use crate::readers::vehicle_file::VehicleFile;
-use crate::readers::{search_input, settings_input, vehicle_file};
+use crate::readers::vehicle_file::{self, VehicleFile};
+use crate::readers::{search_input, settings_input};
 use crate::sweeps::sweep::{Job, SWEEP, Sweep};
 
 /// Input of one point.

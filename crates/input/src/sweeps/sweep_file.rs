@@ -13,21 +13,18 @@ use crate::documents::document::Document;
 use crate::documents::input_error::{InputError, short};
 use crate::documents::library::Library;
 use crate::documents::output_units::OutputUnits;
-use crate::documents::section::LocatedValue;
-use crate::documents::section::Section;
+use crate::documents::section::{LocatedValue, Section};
 use crate::points::design::Design;
 use crate::points::grid::{Grid, GridFault, MOST_POINTS};
 use crate::points::parameter::{Home, Parameter};
-use crate::points::sensitivity_input;
-use crate::points::{map_input, sample_input};
+use crate::points::{map_input, sample_input, sensitivity_input};
 use crate::readers::numbers::explanation;
 use crate::readers::scene_input::{
     self, FaultyValue, HORIZONTAL_VELOCITY, NamedConditions, SceneFault,
 };
 use crate::readers::vehicle_file::{self, VehicleFile};
 use crate::readers::{search_input, settings_input};
-use crate::sweeps::case;
-use crate::sweeps::case::CaseFault;
+use crate::sweeps::case::{self, CaseFault};
 use crate::sweeps::sweep::{OverrideNames, SWEEP};
 
 impl Sweep {

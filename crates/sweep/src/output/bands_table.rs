@@ -2,8 +2,7 @@
 
 use touchdown_input::documents::column::{Cell, Column, Heading, cells, headings};
 use touchdown_input::sweeps::sweep_file::Sweep;
-use touchdown_search::boundary::Band;
-use touchdown_search::boundary::Boundary;
+use touchdown_search::boundary::{Band, Boundary};
 
 /// A band and its number at a point, from 1.
 #[derive(Debug)]
@@ -83,8 +82,7 @@ pub fn numbered(boundary: &Boundary) -> impl Iterator<Item = Numbered> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::examples::figure_4_09;
-    use crate::examples::{names, text};
+    use crate::examples::{figure_4_09, names, text};
     use touchdown_dynamics::outcome::{Class, Outcome};
     use touchdown_search::boundary::Bracket;
     use touchdown_search::certainty::Certainty;

@@ -288,8 +288,7 @@ fn outcomes(counts: &SweepCounts) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::examples::{figure_4_09, sweep};
-    use crate::examples::{names, text};
+    use crate::examples::{figure_4_09, names, sweep, text};
     use touchdown_dynamics::outcome::Class;
 
     fn example() -> (Sweep, Vec<Boundary>) {

@@ -162,8 +162,7 @@ pub fn rows(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::examples::figure_4_09;
-    use crate::examples::text;
+    use crate::examples::{figure_4_09, text};
     use touchdown_input::points::parameter::Parameter;
 
     #[test]

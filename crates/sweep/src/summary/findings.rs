@@ -93,8 +93,7 @@ pub(crate) mod tests {
     use super::*;
     use touchdown_dynamics::landing::{Energies, FinalRates, LegWork};
     use touchdown_dynamics::outcome::{Class, Failure, Outcome};
-    use touchdown_search::boundary::Band;
-    use touchdown_search::boundary::Transition;
+    use touchdown_search::boundary::{Band, Transition};
     use touchdown_search::certainty::Certainty;
     use touchdown_search::hidden_band_checks::{CheckCounts, HiddenBandChecks};
     use touchdown_search::skipped::Skipped;

@@ -44,9 +44,8 @@ use touchdown_input::sweeps::cases::CaseTable;
 use touchdown_input::sweeps::sweep_file::Sweep;
 
 use crate::journal::header::Header;
-use crate::journal::journal_files;
 use crate::journal::shard::Shard;
-use crate::journal::{InOrder, Journal, JournalError, Opened};
+use crate::journal::{InOrder, Journal, JournalError, Opened, journal_files};
 use crate::output::file_writer::Folder;
 use crate::threads::run::{Observer, RunError, Workers};
 

@@ -20,15 +20,13 @@ use touchdown_sweep::output::output_guard::OutputGuard;
 use touchdown_sweep::threads::run::Workers;
 
 use crate::failure::Failure;
-use crate::interrupt;
 use crate::land_files::{ended, interval, is_history, place_of};
 use crate::land_while::Observed;
 use crate::print::print;
-use crate::report;
 use crate::solver_options::SolverOptions;
 use crate::touchdown_options::{TouchdownOptions, finite};
 use crate::units::UnitsOption;
-use crate::{cases, scene_cases};
+use crate::{cases, interrupt, report, scene_cases};
 
 const USAGE: &str = "\
 touchdown land --vehicle <FILE> [OPTIONS]

@@ -8,21 +8,19 @@ use touchdown_dynamics::landing::Landing;
 use touchdown_input::documents::output_units::OutputUnits;
 use touchdown_input::readers::method_input::method_words;
 use touchdown_input::sweeps::scene_file::{self, SceneCase, SceneFile};
-use touchdown_sweep::output::case_results;
 use touchdown_sweep::output::file_writer::{Draft, Folder};
 use touchdown_sweep::output::history::History;
-use touchdown_sweep::output::landing_report;
 use touchdown_sweep::output::output_guard::OutputGuard;
+use touchdown_sweep::output::{case_results, landing_report};
 use touchdown_sweep::threads::run::Observer;
 
 use crate::failure::Failure;
-use crate::interrupt;
 use crate::land_files::{ended, interval, is_history};
 use crate::land_while::Observed;
 use crate::print::print;
 use crate::progress::Progress;
 use crate::report::degrees;
-use crate::summary;
+use crate::{interrupt, summary};
 
 /// Time after which progress is shown.
 const SHOWN_AFTER: Duration = Duration::from_secs(2);

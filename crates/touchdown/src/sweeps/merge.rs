@@ -5,19 +5,17 @@ use std::path::PathBuf;
 use clap::Args;
 use touchdown_input::documents::input_error::InputError;
 use touchdown_input::sweeps::sweep_file::Sweep;
-use touchdown_sweep::journal::journal_files;
 use touchdown_sweep::journal::merge::{Shards, by_sweep};
-use touchdown_sweep::journal::{Access, InOrder};
+use touchdown_sweep::journal::{Access, InOrder, journal_files};
 use touchdown_sweep::output::file_writer::Folder;
-use touchdown_sweep::output::result_files;
 use touchdown_sweep::output::results::Circumstances;
-use touchdown_sweep::output::tables;
+use touchdown_sweep::output::{result_files, tables};
 
 use crate::failure::Failure;
 use crate::print::print;
-use crate::sweep_results::Format;
+use crate::summary;
+use crate::sweep_results::{self, Format};
 use crate::units::UnitsOption;
-use crate::{summary, sweep_results};
 
 const EXAMPLE: &str = "\
 Example:

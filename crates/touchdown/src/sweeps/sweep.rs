@@ -23,8 +23,8 @@ use crate::failure::Failure;
 use crate::overrides::OverrideOptions;
 use crate::print::print;
 use crate::progress::Progress;
-use crate::sweep_results::{Format, Written};
-use crate::{dry_run, interrupt, overview, summary, sweep_files, sweep_results};
+use crate::sweep_results::{self, Format, Written};
+use crate::{dry_run, interrupt, overview, summary, sweep_files};
 
 const EXAMPLE: &str = "\
 Example:
