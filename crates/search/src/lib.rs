@@ -1,6 +1,6 @@
 //! The search for boundaries along the horizontal velocity: scan, brackets, bands, certainty.
 //!
-//! A [`search_range::Search`] knows neither vehicles nor files: it is given a function that lands at a speed
+//! A [`search_range::Search`] knows no files and lands nothing itself: it is given a function that lands at a speed
 //! ([`search_range::Search::boundary`]). What it asks for at once can be landed at once. The range is scanned upward
 //! ([`scan`]), steps that may hide a band are looked into, and each change is narrowed down ([`refine`]) and tested
 //! ([`certainty`]). [`follow`] finds the transition of a slightly different input near a known one.
