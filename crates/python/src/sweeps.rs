@@ -1,12 +1,10 @@
 //! Whole sweeps, from a document or file to result files.
 
 use std::collections::HashMap;
-use std::fs;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use pyo3::prelude::*;
-use serde_json::Value;
 use touchdown_input::documents::input_error::InputError;
 use touchdown_input::documents::library::{Library, Source};
 use touchdown_input::points::set_value::SetValue;
@@ -15,8 +13,7 @@ use touchdown_input::sweeps::sweep_file;
 use touchdown_sweep::journal::shard::Shard;
 use touchdown_sweep::output::file_writer::Folder;
 use touchdown_sweep::output::result_files::{self, NamedFiles};
-use touchdown_sweep::output::{results, warnings};
-use touchdown_sweep::summary::sweep_counts::SweepCounts;
+use touchdown_sweep::output::warnings;
 use touchdown_sweep::threads::run::{Observer, Workers};
 use touchdown_sweep::threads::runner::{Runner, Task};
 
@@ -86,8 +83,8 @@ impl Sweep {
     }
 
     /// Runs the sweep into a folder, as the command line does, with a journal beside the results; returns warnings of
-    /// the journal and of the results. Keeps existing results of the same input; refuses to replace others unless
-    /// `overwrite` is set.
+    /// the journal and of the results. Keeps existing results of the same input; refuses to replace those of other input
+    /// unless `overwrite` is set.
     fn run(
         &self,
         py: Python,
@@ -101,52 +98,12 @@ impl Sweep {
         interruptible::run(py, watch, move |work| {
             let folder = Folder::open(&out)?;
             result_files::check_places(&sweep, &folder, overwrite).map_err(in_the_way)?;
-            if !overwrite && is_there(&sweep, &folder, is_parquet)? {
+            if !overwrite && result_files::are_there(&sweep, &folder, VERSION, is_parquet) {
                 return Ok([Vec::new(), Vec::new()]);
             }
             run(&sweep, &folder, is_parquet, threads, work)
         })
     }
-}
-
-/// True if results of this input exist already.
-///
-/// # Errors
-/// If results of other input exist.
-fn is_there(
-    sweep: &sweep_file::Sweep,
-    folder: &Folder,
-    is_parquet: bool,
-) -> Result<bool, InputError> {
-    let [table, record, parquet] =
-        ["csv", "json", "parquet"].map(|form| folder.path(&format!("{}.{form}", sweep.stem())));
-    // The table is written last.
-    if !table.exists() {
-        return Ok(false);
-    }
-    let own = results::record(sweep, &SweepCounts::of(sweep), VERSION).to_string();
-    let there = fs::read_to_string(record).unwrap_or_default();
-    if input_of(&own) != input_of(&there) {
-        let complaint =
-            "holds results of other input: expected another folder or name, or overwrite=True";
-        return Err(InputError::in_file(&table, complaint));
-    }
-    Ok(!is_parquet || parquet.exists())
-}
-
-/// The content of a record except results and file names.
-fn input_of(record: &str) -> Value {
-    let mut record: Value = serde_json::from_str(record).unwrap_or_default();
-    for (part, key) in [
-        ("", "counts"),
-        ("/input", "sweep_file"),
-        ("/input", "vehicle_file"),
-    ] {
-        if let Some(Value::Object(fields)) = record.pointer_mut(part) {
-            fields.remove(key);
-        }
-    }
-    record
 }
 
 fn run(

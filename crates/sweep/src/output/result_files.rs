@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use serde_json::Value;
 use touchdown_input::documents::input_error::InputError;
 use touchdown_input::documents::output_units::OutputUnits;
 use touchdown_input::sweeps::sweep::{Sweep, partial};
@@ -49,7 +50,7 @@ fn is_table(line: &str, column: &str) -> bool {
     has(column) || column == TABLES[0].1 && has("outcome") && has("end_time_s")
 }
 
-/// Checks that the results of a sweep may be written: files in their places must be earlier results.
+/// Checks that the results of a sweep may be written: files in their places must be earlier results of the same input.
 ///
 /// # Errors
 /// Names a file that is not.
@@ -66,7 +67,51 @@ pub fn check_places(sweep: &Sweep, folder: &Folder, overwrite: bool) -> Result<(
     }
     let record = folder.path(&format!("{stem}.json"));
     let text = fs::read_to_string(&record).unwrap_or_default();
-    guard.check(&record, |_| text.contains("\"name\": \"touchdown\""))
+    guard.check(&record, |_| text.contains("\"name\": \"touchdown\""))?;
+    let mut tables = [".csv", ".parquet"]
+        .map(|form| folder.path(&format!("{stem}{form}")))
+        .into_iter();
+    match tables.find(|table| table.exists()) {
+        Some(table) if !overwrite && input_of(&text) != input_of(&own_record(sweep)) => {
+            let complaint =
+                "holds results of other input: expected another folder or name, or --overwrite";
+            Err(InputError::in_file(&table, complaint))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// True if results of this sweep are there already, computed by this version of the program.
+pub fn are_there(sweep: &Sweep, folder: &Folder, version: &str, has_parquet: bool) -> bool {
+    let [table, record, parquet] =
+        ["csv", "json", "parquet"].map(|form| folder.path(&format!("{}.{form}", sweep.stem())));
+    let text = fs::read_to_string(record).unwrap_or_default();
+    let there: Value = serde_json::from_str(&text).unwrap_or_default();
+    // The table is written last.
+    table.exists()
+        && (!has_parquet || parquet.exists())
+        && there["program"] == results::program(version)
+        && input_of(&text) == input_of(&own_record(sweep))
+}
+
+fn own_record(sweep: &Sweep) -> String {
+    results::record(sweep, &SweepCounts::of(sweep), "").to_string()
+}
+
+/// The content of a record except results, the program and file names.
+fn input_of(record: &str) -> Value {
+    let mut record: Value = serde_json::from_str(record).unwrap_or_default();
+    for (part, key) in [
+        ("", "counts"),
+        ("", "program"),
+        ("/input", "sweep_file"),
+        ("/input", "vehicle_file"),
+    ] {
+        if let Some(Value::Object(fields)) = record.pointer_mut(part) {
+            fields.remove(key);
+        }
+    }
+    record
 }
 
 /// Removes files that an earlier run of a sweep of this name wrote and this one did not, so that results of two runs

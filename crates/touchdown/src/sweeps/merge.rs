@@ -45,7 +45,7 @@ pub struct Options {
     format: Format,
     #[command(flatten)]
     units: UnitsOption,
-    /// Replace files that are no earlier results of a sweep
+    /// Also replace results of other input, and files that are no results of a sweep
     #[arg(long)]
     overwrite: bool,
     /// Print nothing but errors

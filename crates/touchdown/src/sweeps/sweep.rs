@@ -80,7 +80,7 @@ pub struct Options {
     /// Form of the tables
     #[arg(long, value_name = "FORMAT", default_value = "csv")]
     format: Format,
-    /// Also replace existing files that are not earlier results of a sweep
+    /// Also replace results of other input, and files that are no results of a sweep
     #[arg(long)]
     overwrite: bool,
     /// Print nothing but errors
@@ -112,7 +112,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let known_before = sweeps.iter().filter(|sweep| sweep.map().is_none());
     let points = known_before.map(|sweep| shard.len(sweep.design.count()));
     let progress = Progress::start("points", points.sum(), options.quiet);
-    let night = Night {
+    let invocation = Invocation {
         options,
         folder: &folder,
         workers: &workers,
@@ -123,7 +123,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let mut told = String::new();
     // One table tells of sweeps in either unit.
     let units = sweeps.first().map_or(OutputUnits::Us, |sweep| sweep.units);
-    let done = night.run(&sweeps, shard).inspect_err(|_| {
+    let done = invocation.run(&sweeps, shard).inspect_err(|_| {
         progress.finish();
     })?;
     for (sweep, done) in sweeps.iter().zip(done) {
@@ -169,8 +169,8 @@ fn check_budgets(sweeps: &[Sweep], shard: Shard) -> Result<(), InputError> {
     }
 }
 
-/// What every sweep of a run is run with.
-struct Night<'n> {
+/// What all sweeps of an invocation share.
+struct Invocation<'n> {
     options: &'n Options,
     folder: &'n Folder,
     workers: &'n Workers,
@@ -191,7 +191,7 @@ struct Computed {
     circumstances: Circumstances<'static>,
 }
 
-impl Night<'_> {
+impl Invocation<'_> {
     /// Runs sweeps one after another. The results of each are written while the next is computed, and kept whatever
     /// becomes of that.
     fn run(&self, sweeps: &[Sweep], shard: Shard) -> Result<Vec<Done>, Failure> {

@@ -103,6 +103,13 @@ fn results_of_two_runs_never_stand_side_by_side() {
         "sweep.toml",
         &SWEEP.replace("friction = 1.0", "friction = 0.9"),
     );
+    bench.run(&["sweep", "sweep.toml"]).refused(&[
+        "results/sweep.csv",
+        "holds results of other input",
+        "--overwrite",
+    ]);
+    assert_eq!(bench.read("results/sweep-bands.csv"), bands);
+    ran(&bench, &["sweep", "sweep.toml", "--overwrite"]);
     ran(&bench, &["sweep", "sweep.toml"]);
     assert_eq!(
         bench.list("results"),
@@ -384,7 +391,7 @@ fn elements_that_give_back_more_than_they_took_are_told() {
     let search = "[search]\nfrom_fps = 5\nto_fps = 6\nscan_step_fps = 1\ntolerance_fps = 0.1\nbands = \"first\"\n";
     let searches = searches.split("[search]").next().unwrap().to_owned() + search;
     bench.write("sweep.toml", &searches);
-    let done = bench.run(&["sweep", "sweep.toml"]);
+    let done = bench.run(&["sweep", "sweep.toml", "--overwrite"]);
     assert!(done.out.contains(warning), "{}", done.out);
 }
 

@@ -199,7 +199,7 @@ fn axes_have_the_scale_of_their_spacing() {
         let (before, after) = crate::common::SWEEP.split_once("[axes]\n").unwrap();
         let (_, after) = after.split_once('\n').unwrap();
         bench.write("spaced.toml", &format!("{before}{axis}{after}"));
-        let done = bench.run(&["sweep", "spaced.toml"]);
+        let done = bench.run(&["sweep", "spaced.toml", "--overwrite"]);
         assert_eq!(done.code, Some(0), "{}", done.err);
         bench.read("results/spaced.svg")
     };

@@ -297,7 +297,7 @@ fn a_footpad_crushed_through_its_height_is_told_or_bottoms() {
              [solver]\nrules = \"{rules}\"\n"
         );
         bench.write("soft-sweep.toml", &text);
-        let done = bench.run(&["sweep", "soft-sweep.toml"]);
+        let done = bench.run(&["sweep", "soft-sweep.toml", "--overwrite"]);
         assert_eq!(done.code, Some(0), "{}", done.err);
         done.out
     };

@@ -101,11 +101,12 @@ fn a_file_asks_for_si_and_the_option_wins() {
     );
     let us = bench.read("us/sweep.csv");
     compare(&us, &bench.read("si/sweep.csv"), &[], "");
-    // Earlier results in the other units are results all the same.
-    run(
-        &bench,
-        &["sweep", "sweep.toml", "--out", "si", "--units", "US"],
-    );
+    // Those in the other units are replaced when told to.
+    let in_us = ["sweep", "sweep.toml", "--out", "si", "--units", "US"];
+    bench
+        .run(&in_us)
+        .refused(&["si/sweep.csv: holds results of other input"]);
+    run(&bench, &[&in_us[..], &["--overwrite"]].concat());
     for file in ["sweep.csv", "sweep.json", "sweep.svg"] {
         assert_eq!(
             bench.read(&format!("si/{file}")),
