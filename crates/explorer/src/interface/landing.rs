@@ -10,7 +10,7 @@ use serde_json::{Map, Value, json};
 use touchdown_dynamics::landing::{Instant, land_located_while};
 use touchdown_dynamics::methods::IntegrationSummary;
 use touchdown_dynamics::outcome::Outcome;
-use touchdown_figures::unit::split_unit;
+use touchdown_figures::unit::unit_of;
 use touchdown_sweep::output::landing_report::{self, LandingReport, verdict_time};
 use touchdown_sweep::output::landing_table::why;
 
@@ -104,7 +104,7 @@ pub fn answer(named: &Named, request: &str, is_over: IsOver) -> Result<String, C
     };
     let report = report.json();
     let result_units = (report["result"].as_object().into_iter().flatten())
-        .map(|(name, _)| (name.clone(), json!(split_unit(name).1)))
+        .map(|(name, _)| (name.clone(), json!(unit_of(name))))
         .collect();
     written(&Answer {
         outcome: landing.outcome.to_string(),

@@ -10,7 +10,7 @@ use serde_json::{Map, Value, json};
 use touchdown_figures::bands_table::BandsTable;
 use touchdown_figures::boundary_table::Kind;
 use touchdown_figures::caption::Caption;
-use touchdown_figures::unit::split_unit;
+use touchdown_figures::unit::unit_of;
 
 use super::classes::class_words;
 use super::complaint::{Complaint, of_table};
@@ -242,5 +242,5 @@ fn bands_at(bands: &BandsTable, place: f64) -> Value {
 
 /// Description of an axis or a column.
 pub fn words_of(name: &str, values: Vec<Value>) -> Value {
-    described(name, split_unit(name).1, values)
+    described(name, &unit_of(name), values)
 }

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use touchdown_dynamics::attitude::Attitude;
 use touchdown_dynamics::quantities::BEARING_FACTOR;
 use touchdown_figures::axis_title::bare_title;
-use touchdown_figures::unit::split_unit;
+use touchdown_figures::unit::unit_of;
 use touchdown_input::documents::output_units::OutputUnits;
 use touchdown_input::points::assignment::{self, Assignment};
 use touchdown_input::points::parameter::{self, Home, Parameter};
@@ -38,7 +38,7 @@ struct Told {
     title: String,
     /// Meaning, as `docs/reference.md` says it; empty for words.
     meaning: &'static str,
-    unit: &'static str,
+    unit: String,
     value: Value,
     /// True if the input gives it; false for a default.
     is_given: bool,
@@ -55,7 +55,7 @@ struct Told {
 #[derive(Serialize)]
 struct InSi {
     name: String,
-    unit: &'static str,
+    unit: String,
     value: f64,
     slider: Option<Slider>,
 }
@@ -86,13 +86,13 @@ fn tell(touchdown: &Touchdown, parameter: Parameter) -> Option<Told> {
     Some(Told {
         title: bare_title(name),
         meaning: quantity.meaning,
-        unit: split_unit(name).1,
+        unit: unit_of(name),
         value: json!(value),
         is_given,
         slider: Some(Slider::over(shown, value, &allowed)),
         si: (in_si.name() != name).then(|| InSi {
             name: in_si.name().to_owned(),
-            unit: split_unit(in_si.name()).1,
+            unit: unit_of(in_si.name()),
             value: in_si.number(value),
             slider: Some(Slider::over(
                 shown.map(|end| in_si.number(end)),
@@ -215,7 +215,7 @@ fn of_solver(touchdown: &Touchdown, parameter: &Parameter) -> Option<Told> {
         name: name.to_owned(),
         title: bare_title(name),
         meaning: parameter.quantity().map_or("", |quantity| quantity.meaning),
-        unit: split_unit(name).1,
+        unit: unit_of(name),
         value,
         is_given: touchdown.gives_solver(key),
         slider,

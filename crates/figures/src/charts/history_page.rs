@@ -3,7 +3,7 @@
 use crate::axis_title::{axis_title, column_words};
 use crate::figure_error::FigureError;
 use crate::history_table::present_name;
-use crate::unit::{in_si, split_unit};
+use crate::unit::{in_si, unit_of};
 
 /// A panel.
 #[derive(Debug, Clone, PartialEq)]
@@ -110,7 +110,7 @@ fn of_page(quantities: &[String], (title, curves): &PagePanel) -> Option<Panel> 
             });
         }
     }
-    let unit = split_unit(found.first()?.columns.first()?).1;
+    let unit = unit_of(found.first()?.columns.first()?);
     Some(Panel {
         title: format!("{title}, {unit}"),
         curves: found,
@@ -122,7 +122,7 @@ fn of_page(quantities: &[String], (title, curves): &PagePanel) -> Option<Panel> 
 /// # Errors
 /// Names the column that the table does not have.
 pub fn chosen(quantities: &[String], names: &[String]) -> Result<Vec<Panel>, FigureError> {
-    let mut panels: Vec<(&str, Vec<Curve>)> = Vec::new();
+    let mut panels: Vec<(String, Vec<Curve>)> = Vec::new();
     for name in names.iter().map(|name| present_name(name)) {
         let columns = matching(quantities, &name);
         if columns.is_empty() {
@@ -131,17 +131,17 @@ pub fn chosen(quantities: &[String], names: &[String]) -> Result<Vec<Panel>, Fig
                 patterns(quantities).join(", ")
             )));
         }
-        let unit = split_unit(&name).1;
+        let unit = unit_of(&name);
         let curves = columns.iter().map(|column| curve(column));
         match panels.iter_mut().find(|(known, _)| *known == unit) {
             Some((_, panel)) => panel.extend(curves),
             None => panels.push((unit, curves.collect())),
         }
     }
-    let panel = |(unit, curves): (&str, Vec<Curve>)| Panel {
+    let panel = |(unit, curves): (String, Vec<Curve>)| Panel {
         title: match curves.as_slice() {
             [curve] => axis_title(&curve.columns[0]),
-            _ => of_unit(unit),
+            _ => of_unit(&unit),
         },
         curves,
     };

@@ -4,7 +4,7 @@ use crate::number::label;
 use crate::parameter_words::parameter_words;
 use crate::sensitivity_table::{Point, Slope};
 use crate::speed_unit::SpeedUnit;
-use crate::unit::{printed_unit, split_unit};
+use crate::unit::{printed_unit, unit_of};
 use libm::{exp10, log10};
 
 /// Name, value and change of a parameter.
@@ -52,7 +52,7 @@ pub fn reason(slope: &Slope) -> String {
 pub fn title(lowest: &Point, speed_unit: SpeedUnit) -> String {
     let place = lowest.place.iter();
     let place = place.map(|(name, value)| {
-        let unit = split_unit(name).1;
+        let unit = unit_of(name);
         let value = value.replace('-', "\u{2212}");
         format!("{} {value} {unit}", parameter_words(name))
             .trim_end()

@@ -3,7 +3,7 @@
 use touchdown_dynamics::quantities;
 
 use crate::parameter_words::parameter_words;
-use crate::unit::split_unit;
+use crate::unit::{bare_name, unit_of};
 
 /// Columns of histories with other words than their names, without their units.
 const OF_HISTORIES: [(&str, &str); 7] = [
@@ -19,7 +19,7 @@ const OF_HISTORIES: [(&str, &str); 7] = [
 /// The title of the axis of a column: its name in words with its unit.
 pub fn axis_title(column: &str) -> String {
     let words = bare_title(column);
-    match split_unit(column).1 {
+    match unit_of(column).as_str() {
         "" => words,
         unit => format!("{words}, {unit}"),
     }
@@ -27,12 +27,12 @@ pub fn axis_title(column: &str) -> String {
 
 /// The title of the axis of a column without its unit.
 pub fn bare_title(column: &str) -> String {
-    let (bare, _) = split_unit(column);
+    let bare = bare_name(column);
     let of_history = OF_HISTORIES.iter().find(|(name, _)| *name == bare);
     let of_input = || {
         let mut conditions = quantities::CONDITIONS.iter();
         conditions
-            .find(|quantity| split_unit(quantity.key).0 == bare)?
+            .find(|quantity| bare_name(quantity.key) == bare)?
             .title
     };
     match of_history.map(|(_, title)| *title).or_else(of_input) {

@@ -8,7 +8,7 @@ use crate::figure_error::FigureError;
 use crate::number::label;
 use crate::parameter_words::parameter_words;
 use crate::speed_unit::SpeedUnit;
-use crate::unit::split_unit;
+use crate::unit::{bare_name, unit_of};
 
 /// Greatest velocity that a search can reach, ft/s; in m/s it is less.
 const MOST_SEARCHED: f64 = 1e4;
@@ -137,7 +137,7 @@ impl Caption {
         }
         let words = cells.iter().map(|(axis, value)| {
             let value = value.parse().map_or_else(|_| value.clone(), label);
-            let words = format!("{} {value} {}", parameter_words(axis), split_unit(axis).1);
+            let words = format!("{} {value} {}", parameter_words(axis), unit_of(axis));
             words.trim_end().to_owned()
         });
         Self {
@@ -208,8 +208,11 @@ fn in_words(name: &str, value: f64, input: &Value) -> Option<String> {
         | "horizontal_velocity_fps"
         | "vertical_velocity_mps"
         | "horizontal_velocity_mps" => {
-            let (bare, unit) = split_unit(name);
-            format!("{} {number} {unit}", bare.replace('_', " "))
+            format!(
+                "{} {number} {}",
+                bare_name(name).replace('_', " "),
+                unit_of(name)
+            )
         }
         "cross_slope_deg" => format!("cross-slope {number} deg"),
         "slope_deg" => format!("slope {number} deg"),
@@ -218,8 +221,11 @@ fn in_words(name: &str, value: f64, input: &Value) -> Option<String> {
         "block_friction" => format!("block friction {number}"),
         _ if value == 0.0 => return None,
         _ => {
-            let (bare, unit) = split_unit(name);
-            format!("{} {number} {unit}", bare.replace('_', " "))
+            format!(
+                "{} {number} {}",
+                bare_name(name).replace('_', " "),
+                unit_of(name)
+            )
         }
     };
     Some(words)

@@ -1,12 +1,11 @@
 //! Parameters by their dotted names, in words.
 
-use crate::unit::split_unit;
+use crate::unit::bare_name;
 
 /// A dotted name in words, without units, such as "leg 2 strut preload".
 pub fn parameter_words(name: &str) -> String {
     let bare = |key: &str| {
-        split_unit(key)
-            .0
+        bare_name(key)
             .replace("legs[", "leg ")
             .replace("footing[", "footing ")
             .replace(']', "")

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use touchdown_dynamics::landing::Instant;
 use touchdown_figures::axis_title::column_words;
-use touchdown_figures::unit::split_unit;
+use touchdown_figures::unit::unit_of;
 use touchdown_input::documents::output_units::OutputUnits;
 use touchdown_sweep::output::history::{names, values};
 
@@ -17,7 +17,7 @@ pub struct History {
 struct Column {
     name: String,
     title: String,
-    unit: &'static str,
+    unit: String,
     values: Vec<f64>,
 }
 
@@ -30,7 +30,7 @@ impl History {
             .map(|quantity| Column {
                 name: quantity.name().to_owned(),
                 title: column_words(quantity.name()),
-                unit: split_unit(quantity.name()).1,
+                unit: unit_of(quantity.name()),
                 values: Vec::with_capacity(instants.len()),
             })
             .collect();

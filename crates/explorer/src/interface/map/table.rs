@@ -3,7 +3,7 @@
 use csv::StringRecord;
 use serde_json::{Map, Value, json};
 use touchdown_figures::axis_title::axis_title;
-use touchdown_figures::unit::split_unit;
+use touchdown_figures::unit::{bare_name, unit_of};
 
 use crate::interface::complaint::{Complaint, of_table};
 use crate::named::Results;
@@ -103,7 +103,7 @@ impl Transitions {
     /// Description of an axis.
     pub fn described(&self, axis: usize) -> Value {
         let Axis { name, values } = &self.axes[axis];
-        described(name, split_unit(name).1, values.clone())
+        described(name, &unit_of(name), values.clone())
     }
 
     /// Indices of the axes of a request: one for a table over one axis, else two.
@@ -239,7 +239,7 @@ struct Columns {
 impl Columns {
     fn of(heading: &StringRecord) -> Self {
         let named = |bare: &str| {
-            let is_one = |name: &str| split_unit(name).0 == bare;
+            let is_one = |name: &str| bare_name(name) == bare;
             heading.iter().position(is_one)
         };
         Self {
