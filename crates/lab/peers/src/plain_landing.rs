@@ -6,11 +6,12 @@
 
 use std::cell::Cell;
 
+use touchdown_dynamics::contact::Sets;
 use touchdown_dynamics::methods::{ForceModel, System};
 use touchdown_dynamics::outcome::{Class, Outcome};
 use touchdown_dynamics::per_leg::PerLeg;
 use touchdown_dynamics::scene::{Scene, Settings};
-use touchdown_dynamics::stability::{StabilityMonitor, calm_height};
+use touchdown_dynamics::stability::StabilityMonitor;
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
 use touchdown_dynamics::vehicle::Vehicle;
@@ -30,7 +31,7 @@ pub enum Until {
 pub struct PlainLanding {
     model: ForceModel,
     first: State<f64>,
-    sets: PerLeg<[f64; 3]>,
+    sets: PerLeg<Sets>,
     monitor: StabilityMonitor,
     least_angle: f64,
     until: Until,
@@ -46,8 +47,8 @@ impl PlainLanding {
         Self {
             first: touchdown(vehicle, scene, model.motion()),
             model,
-            sets: [[0.0; 3]; LEGS].into(),
-            monitor: StabilityMonitor::new(scene, calm_height(vehicle)),
+            sets: PerLeg::same(LEGS, Sets::default()),
+            monitor: StabilityMonitor::new(settings.rules(vehicle), vehicle, scene),
             least_angle: f64::INFINITY,
             until,
             limit: settings.time_limit(),
