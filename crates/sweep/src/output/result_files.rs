@@ -72,7 +72,7 @@ pub fn check_places(sweep: &Sweep, folder: &Folder, overwrite: bool) -> Result<(
         .map(|form| folder.path(&format!("{stem}{form}")))
         .into_iter();
     match tables.find(|table| table.exists()) {
-        Some(table) if !overwrite && input_of(&text) != input_of(&own_record(sweep)) => {
+        Some(table) if !overwrite && !includes(input_of(&own_record(sweep)), input_of(&text)) => {
             let complaint =
                 "holds results of other input: expected another folder or name, or --overwrite";
             Err(InputError::in_file(&table, complaint))
@@ -94,16 +94,31 @@ pub fn are_there(sweep: &Sweep, folder: &Folder, version: &str, has_parquet: boo
         && input_of(&text) == input_of(&own_record(sweep))
 }
 
+/// True if the input of a sweep is that of existing results, or a sample that has grown beyond theirs: it has their rows.
+fn includes(mut input: Value, mut existing: Value) -> bool {
+    let count = |record: &mut Value| {
+        let sample = record.pointer_mut("/input/sample")?.as_object_mut()?;
+        let is_nested = sample["design"] == "monte-carlo" || sample["design"] == "sobol";
+        sample
+            .get_mut("count")
+            .filter(|_| is_nested)?
+            .take()
+            .as_u64()
+    };
+    count(&mut existing) <= count(&mut input) && input == existing
+}
+
 fn own_record(sweep: &Sweep) -> String {
     results::record(sweep, &SweepCounts::of(sweep), "").to_string()
 }
 
-/// The content of a record except results, the program and file names.
+/// The content of a record except results, the program, file names and the fingerprint of the rest.
 fn input_of(record: &str) -> Value {
     let mut record: Value = serde_json::from_str(record).unwrap_or_default();
     for (part, key) in [
         ("", "counts"),
         ("", "program"),
+        ("", "input_fingerprint"),
         ("/input", "sweep_file"),
         ("/input", "vehicle_file"),
     ] {

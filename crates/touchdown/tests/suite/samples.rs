@@ -53,6 +53,37 @@ fn uninterrupted() -> &'static [String; 2] {
     &RESULTS_OF_ONE_RUN
 }
 
+/// A sample that has grown has the rows of the smaller one and takes the place of its results; none loses rows.
+#[test]
+fn a_grown_sample_takes_the_place_of_the_smaller_one() {
+    for (design, is_nested) in [
+        ("monte-carlo", true),
+        ("sobol", true),
+        ("latin-hypercube", false),
+    ] {
+        let bench = Bench::new();
+        let swept = |count: usize| {
+            let sample = SAMPLE
+                .replace("monte-carlo", design)
+                .replace("count = 5000", &format!("count = {count}"))
+                .replace("stop_at_interval_width = 0.12\n", "");
+            bench.write("sweep.toml", &sample);
+            bench.run(&["sweep", "sweep.toml"])
+        };
+        let refused = "results/sweep.csv: holds results of other input";
+        assert_eq!(swept(16).code, Some(0));
+        let few = bench.read(RESULTS[0]);
+        let grown = swept(32);
+        if is_nested {
+            assert_eq!(grown.code, Some(0), "{}", grown.err);
+            assert!(bench.read(RESULTS[0]).starts_with(&few), "{design}");
+            swept(16).refused(&[refused]);
+        } else {
+            grown.refused(&[refused]);
+        }
+    }
+}
+
 #[test]
 fn probabilities_have_intervals_and_the_run_ends_when_they_are_narrow() {
     let results = uninterrupted();
