@@ -95,7 +95,7 @@ function overlaid(all) {
   });
   if (known.length === 0) return [];
   const at = known.reduce((/** @type {number[]} */ sum, { own }) => [...sum, ...own.filter((time) => !(time <= sum[sum.length - 1]))], []);
-  return known[0].panels.map(({ title, unit }) => {
+  return known[0].panels.flatMap(({ title, unit }) => {
     const curves = known.flatMap(({ own, panels, word, dash, isPale }) => {
       const same = panels.find((panel) => panel.title === title)?.curves ?? [];
       return same.map((curve, number) => ({
@@ -105,7 +105,9 @@ function overlaid(all) {
         dash,
       }));
     });
-    return { title, unit, times: at, curves, events: [] };
+    // A lander without blocks has no block load.
+    const isEmpty = curves.every(({ values }) => values.every((value) => !value));
+    return isEmpty ? [] : [{ title, unit, times: at, curves, events: [] }];
   });
 }
 

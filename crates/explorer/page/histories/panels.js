@@ -12,6 +12,8 @@ const PANELS = [
   ["Attitude", [["pitch Ψ", "pitch"], ["yaw Φ", "yaw"], ["roll Ξ", "roll"]]],
   ["Strut force", [["leg #", "strut_force_#"]]],
   ["Strut stroke", [["leg #", "stroke_#"]]],
+  ["Secondary struts' load", [["leg # a", "strut_force_a_#"], ["leg # b", "strut_force_b_#"]]],
+  ["Secondary struts' stroke", [["leg # a", "stroke_a_#"], ["leg # b", "stroke_b_#"]]],
   ["Footpad load", [["leg #", "pad_normal_#"]]],
   ["Block load", [["leg #", "block_normal_#"]]],
 ];

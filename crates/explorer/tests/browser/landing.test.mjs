@@ -4,7 +4,7 @@ import { baseline, calm, land, outcome, picture, slide, start } from "./harness.
 
 /** @type {Awaited<ReturnType<typeof start>>} */
 let explorer;
-before(async () => (explorer = await start()));
+before(async () => (explorer = await start("sweeps/vehicles/apollo-like.toml")));
 after(() => explorer.stop());
 
 test("the page loads without complaints and shows a landing with its histories", async () => {
@@ -181,6 +181,27 @@ test("another vehicle begins with a touchdown that it survives, and fills the pi
   assert.deepEqual(explorer.complaints(), []);
   await page.context().close();
   await linked.context().close();
+});
+
+test("a lander has the charts of its own struts, and none of blocks that it has not", async () => {
+  const titles = async (/** @type {string} */ source) => {
+    const page = await explorer.open(`#source=${source}`);
+    await calm(page);
+    const charts = page.locator(".landing-tab .chart");
+    const all = [];
+    // Charts are drawn when they come into sight.
+    for (let chart = 0; chart < (await charts.count()); chart += 1) {
+      await charts.nth(chart).scrollIntoViewIfNeeded();
+      await charts.nth(chart).locator("canvas").first().waitFor();
+      all.push(await charts.nth(chart).locator("figcaption").textContent());
+    }
+    await page.context().close();
+    return all.join("; ");
+  };
+  assert.match(await titles("apollo-like"), /Strut stroke.*Secondary struts' load.*Secondary struts' stroke/);
+  const hinged = await titles("four-legs");
+  assert.doesNotMatch(hinged, /Secondary|Block/);
+  assert.deepEqual(explorer.complaints(), []);
 });
 
 test("Back goes to what was shown before a step, and a reload keeps what is shown", async () => {

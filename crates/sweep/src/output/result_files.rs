@@ -97,13 +97,10 @@ pub fn are_there(sweep: &Sweep, folder: &Folder, version: &str, has_parquet: boo
 /// True if the input of a sweep is that of existing results, or a sample that has grown beyond theirs: it has their rows.
 fn includes(mut input: Value, mut existing: Value) -> bool {
     let count = |record: &mut Value| {
-        let sample = record.pointer_mut("/input/sample")?.as_object_mut()?;
-        let is_nested = sample["design"] == "monte-carlo" || sample["design"] == "sobol";
-        sample
-            .get_mut("count")
-            .filter(|_| is_nested)?
-            .take()
-            .as_u64()
+        let sample = record.pointer_mut("/input/sample")?;
+        let is_nested = ["monte-carlo", "sobol"].contains(&sample.get("design")?.as_str()?);
+        let count = sample.get_mut("count").filter(|_| is_nested)?;
+        count.take().as_u64()
     };
     count(&mut existing) <= count(&mut input) && input == existing
 }
