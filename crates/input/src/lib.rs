@@ -1,4 +1,4 @@
-//! What files say: landers, touchdowns, sweeps and tables of cases, read into types and checked.
+//! Input files: landers, touchdowns, sweeps and tables of cases, read into types and checked.
 //!
 //! Numbers are in feet, pounds, slugs and seconds, and angles of files in degrees; keys may also be in SI. A file that says something
 //! wrong ends with a [`documents::input_error::InputError`], which names line, key, value and what is expected.

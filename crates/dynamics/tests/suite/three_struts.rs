@@ -496,7 +496,6 @@ fn at_rest_the_ground_bears_the_weight() {
     }
 }
 
-/// In a batch they land as alone, beside vehicles on hinged legs.
 /// Feet are where their velocities take them.
 #[test]
 fn histories_tell_how_feet_move() {
@@ -549,6 +548,7 @@ fn soil_of_its_own_under_each_leg() {
     }
 }
 
+/// In a batch they land as alone, beside vehicles on hinged legs.
 #[test]
 fn a_batch_lands_them_as_alone() {
     let (scene, settings) = (Scene::new(conditions()).unwrap(), settings(1e-5));

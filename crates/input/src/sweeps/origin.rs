@@ -1,4 +1,4 @@
-//! What a sweep was read from, kept so that it can be read again.
+//! The files from which a sweep was read, kept so that it can be read again.
 
 use std::path::{Path, PathBuf};
 

@@ -66,13 +66,13 @@ pub fn check_places(sweep: &Sweep, folder: &Folder, overwrite: bool) -> Result<(
         guard.check(&table, |line| is_table(line, column))?;
     }
     let record = folder.path(&format!("{stem}.json"));
-    let text = fs::read_to_string(&record).unwrap_or_default();
-    guard.check(&record, |_| text.contains("\"name\": \"touchdown\""))?;
+    let there = record_in(&record);
+    guard.check(&record, |_| there["program"]["name"] == "touchdown")?;
     let mut tables = [".csv", ".parquet"]
         .map(|form| folder.path(&format!("{stem}{form}")))
         .into_iter();
     match tables.find(|table| table.exists()) {
-        Some(table) if !overwrite && !includes(input_of(&own_record(sweep)), input_of(&text)) => {
+        Some(table) if !overwrite && !includes(own_input(sweep), input_of(there)) => {
             let complaint =
                 "holds results of other input: expected another folder or name, or --overwrite";
             Err(InputError::in_file(&table, complaint))
@@ -85,13 +85,12 @@ pub fn check_places(sweep: &Sweep, folder: &Folder, overwrite: bool) -> Result<(
 pub fn are_there(sweep: &Sweep, folder: &Folder, version: &str, has_parquet: bool) -> bool {
     let [table, record, parquet] =
         ["csv", "json", "parquet"].map(|form| folder.path(&format!("{}.{form}", sweep.stem())));
-    let text = fs::read_to_string(record).unwrap_or_default();
-    let there: Value = serde_json::from_str(&text).unwrap_or_default();
+    let there = record_in(&record);
     // The table is written last.
     table.exists()
         && (!has_parquet || parquet.exists())
         && there["program"] == results::program(version)
-        && input_of(&text) == input_of(&own_record(sweep))
+        && input_of(there) == own_input(sweep)
 }
 
 /// True if the input of a sweep is that of existing results, or a sample that has grown beyond theirs: it has their rows.
@@ -105,13 +104,18 @@ fn includes(mut input: Value, mut existing: Value) -> bool {
     count(&mut existing) <= count(&mut input) && input == existing
 }
 
-fn own_record(sweep: &Sweep) -> String {
-    results::record(sweep, &SweepCounts::of(sweep), "").to_string()
+/// The record in a file; null if there is none.
+fn record_in(file: &Path) -> Value {
+    let text = fs::read_to_string(file).unwrap_or_default();
+    serde_json::from_str(&text).unwrap_or_default()
+}
+
+fn own_input(sweep: &Sweep) -> Value {
+    input_of(results::record(sweep, &SweepCounts::of(sweep), ""))
 }
 
 /// The content of a record except results, the program, file names and the fingerprint of the rest.
-fn input_of(record: &str) -> Value {
-    let mut record: Value = serde_json::from_str(record).unwrap_or_default();
+fn input_of(mut record: Value) -> Value {
     for (part, key) in [
         ("", "counts"),
         ("", "program"),

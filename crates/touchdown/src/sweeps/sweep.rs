@@ -169,7 +169,7 @@ fn check_budgets(sweeps: &[Sweep], shard: Shard) -> Result<(), InputError> {
     }
 }
 
-/// What all sweeps of an invocation share.
+/// State that all sweeps of an invocation share.
 struct Invocation<'n> {
     options: &'n Options,
     folder: &'n Folder,

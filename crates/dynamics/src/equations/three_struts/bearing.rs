@@ -1,4 +1,5 @@
-//! Friction of the bearings on which the piston of a primary strut slides in its cylinder.
+//! Friction of the bearings on which the piston of a primary strut slides in its cylinder (docs/model.md, "Bearings of a
+//! cantilever's primary strut").
 //!
 //! Secondary struts that end at a collar of the cylinder push the foot sideways by a load T. The piston passes it to the
 //! cylinder at two bearings: the lower one, at the end of the cylinder, bears T (1 + e/d), the upper one T e/d, with the
@@ -9,7 +10,7 @@ use nalgebra::Vector3;
 
 use crate::lanes::per_lane;
 use crate::scalar::Real;
-use crate::three_struts::{Arrangement, Telescope, ThreeStrutDesign};
+use crate::three_struts::{Arrangement, ThreeStrutDesign};
 
 /// Rate of the stroke at which friction is 1/√2 of what it becomes, ft/s.
 const FADING: f64 = 0.05;
@@ -38,26 +39,18 @@ pub(super) struct BearingFriction<S> {
     pub(super) load: S,
     /// Change of that load with the rate of the stroke, lb·s/ft.
     pub(super) damping: S,
-    /// Its change with the force that pushes the foot sideways.
+    /// Change of that load with the force that pushes the foot sideways, vehicle axes.
     pub(super) by_side_force: Vector3<S>,
 }
 
 impl Bearings<f64> {
     pub(super) fn new(design: &ThreeStrutDesign) -> Self {
         match design.arrangement {
-            Arrangement::Cantilever(telescope) if telescope.bearing_friction > 0.0 => {
-                let Telescope {
-                    bearing_friction: friction,
-                    bearing_overhang: overhang,
-                    bearing_overlap: overlap,
-                    ..
-                } = telescope;
-                Self {
-                    friction,
-                    overhang,
-                    overlap,
-                }
-            }
+            Arrangement::Cantilever(telescope) if telescope.bearing_friction > 0.0 => Self {
+                friction: telescope.bearing_friction,
+                overhang: telescope.bearing_overhang,
+                overlap: telescope.bearing_overlap,
+            },
             _ => Self {
                 friction: 0.0,
                 overhang: 0.0,
@@ -79,7 +72,7 @@ impl<S: Real> Bearings<S> {
         [per_speed * rate, per_speed * fading / squared]
     }
 
-    /// Friction at a stroke (ft) and its rate (ft/s) under this force on the foot across the strut, lb.
+    /// Friction at a stroke (ft) and its rate (ft/s) under this force on the foot across the strut (vehicle axes, lb).
     #[inline(always)]
     pub(super) fn friction(&self, stroke: S, rate: S, across: &Vector3<S>) -> BearingFriction<S> {
         let [share, change] = self.per_side_load(stroke, rate);

@@ -139,6 +139,12 @@ impl<S: Real> Leg<S> {
         [linear + grown, linear + grown + grown]
     }
 
+    /// Load of strut `k` at a stroke (ft) and its rate (ft/s), without friction of bearings, lb.
+    #[inline(always)]
+    pub(super) fn load(&self, k: usize, pieces: &LegPieces<S>, stroke: S, rate: S) -> S {
+        pieces.struts[k].at(stroke) + self.damping(k, rate)[0] * rate
+    }
+
     /// The leg with its foot in a state.
     #[inline(always)]
     pub(super) fn act(
@@ -155,8 +161,7 @@ impl<S: Real> Leg<S> {
         for k in 0..STRUTS {
             let Reach { stroke, push } = &reaches[k];
             rates[k] = -push.dot(&velocity);
-            let [damping, _] = self.damping(k, rates[k]);
-            loads[k] = pieces.struts[k].at(*stroke) + damping * rates[k];
+            loads[k] = self.load(k, pieces, *stroke, rates[k]);
         }
         let bearing = (self.bearings).friction(
             reaches[0].stroke,
@@ -164,10 +169,7 @@ impl<S: Real> Leg<S> {
             &secondary_push(&reaches, &loads),
         );
         loads[0] += bearing.load;
-        let mut pull = Vector3::zeros();
-        for k in 0..STRUTS {
-            pull += reaches[k].push * loads[k];
-        }
+        let pull = push(&reaches, &loads);
         let normal = self.ground.normal();
         let interference = self.ground.depth_of(&foot.position) + self.pad_height;
         let inward = normal.dot(&foot.velocity);
@@ -193,7 +195,17 @@ impl<S: Real> Leg<S> {
     }
 }
 
-/// Force on the foot under these loads of the secondary struts, lb.
+/// Force of the struts on the foot under these loads (lb), vehicle axes, lb.
+#[inline(always)]
+pub(super) fn push<S: Real>(reaches: &[Reach<S>; STRUTS], loads: &[S; STRUTS]) -> Vector3<S> {
+    let mut push = Vector3::zeros();
+    for k in 0..STRUTS {
+        push += reaches[k].push * loads[k];
+    }
+    push
+}
+
+/// The same of the secondary struts alone.
 #[inline(always)]
 pub(super) fn secondary_push<S: Real>(
     reaches: &[Reach<S>; STRUTS],

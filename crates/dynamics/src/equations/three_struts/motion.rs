@@ -170,13 +170,12 @@ impl Motion {
             let mut springs = leg.pad_strength * pieces.pad.slope();
             let mut across = Quad::constant(0.0);
             for k in 0..STRUTS {
-                let (stroke, rate) = (signals[STROKES.start + k], signals[STROKE_RATES.start + k]);
-                let [per_speed, change] = leg.damping(k, rate);
-                damping += change;
+                damping += leg.damping(k, signals[STROKE_RATES.start + k])[1];
                 springs += pieces.struts[k].slope();
-                if k > 0 {
-                    across += (pieces.struts[k].at(stroke) + per_speed * rate).abs();
-                }
+            }
+            for k in 1..STRUTS {
+                let (stroke, rate) = (signals[STROKES.start + k], signals[STROKE_RATES.start + k]);
+                across += leg.load(k, pieces, stroke, rate).abs();
             }
             damping += leg.bearings.greatest_damping(
                 signals[STROKES.start],
@@ -290,14 +289,12 @@ impl Motion {
         let normal = of_leg.pad_strength * pieces.pad.at(signals[INTERFERENCE]);
         let sliding_squared = signals[SLIDING];
         let drag = of_leg.friction * pieces.friction.per_speed(sliding_squared);
+        let secondary = |k: usize| {
+            let (stroke, rate) = (signals[STROKES.start + k], signals[STROKE_RATES.start + k]);
+            of_leg.load(k, pieces, stroke, rate)
+        };
         LegForces {
-            struts: std::array::from_fn(|k| {
-                if k == 0 {
-                    return signals[LOAD];
-                }
-                let (stroke, rate) = (signals[STROKES.start + k], signals[STROKE_RATES.start + k]);
-                pieces.struts[k].at(stroke) + of_leg.damping(k, rate)[0] * rate
-            }),
+            struts: [signals[LOAD], secondary(1), secondary(2)],
             normal,
             friction: normal * drag * libm::sqrt(sliding_squared),
         }

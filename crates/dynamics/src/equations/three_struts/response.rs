@@ -6,7 +6,7 @@
 use nalgebra::{LU, Matrix3, Matrix6, U6, Vector3, Vector6};
 use num_traits::{One, Zero};
 
-use super::leg::{Leg, LegAction, SeenBody, secondary_push};
+use super::leg::{Leg, LegAction, SeenBody, push, secondary_push};
 use super::motion::{Motion, Pieces};
 use super::state::{FootState, State};
 use super::struts::Reach;
@@ -173,15 +173,11 @@ impl Leg<Quad> {
             let faster = -to.push.dot(&velocity) - action.rates[k];
             loads[k] += pieces.struts[k].slope() * (to.stroke - from.stroke) + damping[k] * faster;
         }
-        let [Reach { stroke, push }, ..] = &reaches;
+        let first = &reaches[0];
         let across = secondary_push(&reaches, &loads);
-        let rate = -push.dot(&velocity);
-        loads[0] += self.bearings.friction(*stroke, rate, &across).load;
-        let mut pushed = Vector3::zeros();
-        for k in 0..STRUTS {
-            pushed += reaches[k].push * loads[k];
-        }
-        pushed
+        let rate = -first.push.dot(&velocity);
+        loads[0] += self.bearings.friction(first.stroke, rate, &across).load;
+        push(&reaches, &loads)
     }
 }
 
