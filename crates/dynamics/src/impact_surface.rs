@@ -259,6 +259,7 @@ impl<'a> Search<'a> {
             slope: atan(tangent.norm()),
             pad_friction: approach.friction,
             block_friction: approach.friction,
+            static_friction_ratio: None,
             soil: Soil::Rock,
             ground: Ground::default(),
             gravity: None,

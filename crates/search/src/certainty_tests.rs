@@ -78,6 +78,7 @@ fn variations_change_what_they_say_and_little_of_it() {
         angular_velocity: Default::default(),
         pad_friction: 1.0,
         block_friction: 1.0,
+        static_friction_ratio: None,
         soil: touchdown_dynamics::soil::Soil::Rock,
         ground: touchdown_dynamics::ground::Ground::default(),
         gravity: None,

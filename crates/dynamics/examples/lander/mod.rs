@@ -84,6 +84,7 @@ pub fn downhill(horizontal_velocity: f64) -> Result<Scene, Invalid> {
         slope: 10f64.to_radians(),
         pad_friction: 0.8,
         block_friction: 0.8,
+        static_friction_ratio: None,
         soil: Soil::Rock,
         ground: Ground::default(),
         gravity: None,

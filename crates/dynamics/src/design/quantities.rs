@@ -323,6 +323,13 @@ quantities! {
         .of(GROUND)
         .by_default("`friction`")
         .usually(Between(0.0, 2.0));
+    STATIC_FRICTION_RATIO = new(
+        "static_friction_ratio", Range::closed(1.0, 100.0),
+        "greatest friction near rest, of footpads and blocks, over sliding friction; verdicts count on it")
+        .titled("Static over sliding friction")
+        .of(GROUND)
+        .by_default("1.2, on which no verdict counts")
+        .usually(Between(1.0, 5.0));
     PITCH = new("pitch_deg", TURNS, "pitch Ψ, about the horizontal X axis across the slope")
         .titled("Pitch angle Ψ")
         .of(ATTITUDE)

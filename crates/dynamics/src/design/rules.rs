@@ -113,6 +113,9 @@ pub enum FrictionProfile {
 }
 
 impl FrictionProfile {
+    /// Greatest friction near rest as a multiple of μ0, at the end of viscous friction: 1.21 − 0.2 S.
+    pub const STATIC_RATIO: f64 = 1.2;
+
     /// Sliding speed up to which friction is viscous, ft/s.
     pub fn viscous_limit(self) -> f64 {
         match self {

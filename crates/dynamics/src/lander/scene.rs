@@ -5,12 +5,13 @@ pub use super::settings::Settings;
 use super::thrust::Thrust;
 use super::vehicle::Vehicle;
 use crate::attitude::Attitude;
+use crate::friction::FrictionLaw;
 pub use crate::rules::CrushRule;
 
 use crate::invalid::Invalid;
 use crate::quantities::{
     ANGULAR_VELOCITY_X, ANGULAR_VELOCITY_Y, ANGULAR_VELOCITY_Z, BLOCK_FRICTION, CROSS_SLOPE,
-    GRAVITY, HORIZONTAL_VELOCITY, PAD_FRICTION, SLOPE, VERTICAL_VELOCITY,
+    GRAVITY, HORIZONTAL_VELOCITY, PAD_FRICTION, SLOPE, STATIC_FRICTION_RATIO, VERTICAL_VELOCITY,
 };
 use crate::soil::Soil;
 
@@ -33,6 +34,9 @@ pub struct Conditions {
     pub pad_friction: f64,
     /// Nominal friction coefficient μ0 under the body blocks.
     pub block_friction: f64,
+    /// Static friction near rest as a multiple of μ0, ≥ 1, if it is not that of the friction profiles of 1966. Verdicts count on
+    /// it only if it is given.
+    pub static_friction_ratio: Option<f64>,
     /// Material of the ground.
     pub soil: Soil,
     /// The ground under each leg, if it is not the surface.
@@ -72,6 +76,9 @@ impl Scene {
         SLOPE.check_radians("", given.slope)?;
         PAD_FRICTION.check("", given.pad_friction)?;
         BLOCK_FRICTION.check("", given.block_friction)?;
+        if let Some(ratio) = given.static_friction_ratio {
+            STATIC_FRICTION_RATIO.check("", ratio)?;
+        }
         given.ground.check_on(given.slope, &given.soil)?;
         if let Some(gravity) = given.gravity {
             GRAVITY.check("", gravity)?;
@@ -82,6 +89,11 @@ impl Scene {
     /// The conditions.
     pub fn conditions(&self) -> &Conditions {
         &self.0
+    }
+
+    /// Friction of footpads and blocks over their sliding speed.
+    pub(crate) fn friction_law(&self, settings: &Settings) -> FrictionLaw {
+        FrictionLaw::new(settings.friction_profile(), self.0.static_friction_ratio)
     }
 
     /// Acceleration of gravity that acts on a vehicle, ft/s².

@@ -42,6 +42,8 @@ pub(super) struct Rest {
     creep: f64,
     /// Nominal friction under footpads and under blocks.
     friction: [f64; 2],
+    /// Friction under supports that stick, as a multiple of that.
+    static_ratio: f64,
     since: Option<f64>,
 }
 
@@ -163,6 +165,7 @@ impl Rest {
             height,
             creep: CREEP * sqrt(2.0 * height * gravity),
             friction: [conditions.pad_friction, conditions.block_friction],
+            static_ratio: conditions.static_friction_ratio.unwrap_or(1.0),
             since: None,
         }
     }
@@ -199,7 +202,7 @@ impl Rest {
             let fall = supports[count - 1].fall;
             hull.has_center()
                 && pull.share * hull.least_rise() - fall >= lift
-                && self.stops_by_friction(&supports[..count], speed, pull.force / landing.mass())
+                && self.stops_by_friction(landing, &supports[..count], speed, pull.force)
                 && (supports[..count].iter().enumerate()).all(|(index, support)| {
                     let load = pull.force * hull.greatest_share(index);
                     let may_slide = support.gradient.norm() > self.friction_under(support);
@@ -209,11 +212,22 @@ impl Rest {
         })
     }
 
-    /// Returns whether friction stops a CG that moves in plan at `speed` (ft/s) within a free fall. The supports bear
-    /// equal loads; `acceleration` (ft/s²) is the pull over the mass.
-    fn stops_by_friction(&self, supports: &[Support], speed: f64, acceleration: f64) -> bool {
+    /// Returns whether friction stops a CG that moves in plan at `speed` (ft/s) within a free fall under a pull of this
+    /// `force` (lb). The supports bear equal loads.
+    fn stops_by_friction(
+        &self,
+        landing: &impl Standing,
+        supports: &[Support],
+        speed: f64,
+        force: f64,
+    ) -> bool {
+        let acceleration = force / landing.mass();
         let downhill: Vector2<f64> = supports.iter().map(|support| support.gradient).sum();
-        let friction = supports.iter().map(|support| self.friction_under(support));
+        let friction = supports.iter().map(|support| {
+            let sticks = self.static_ratio > 1.0 && landing.sticks(support);
+            let ratio = if sticks { self.static_ratio } else { 1.0 };
+            self.friction_under(support) * ratio
+        });
         let left = friction.sum::<f64>() - downhill.norm();
         speed * supports.len() as f64 <= left * acceleration * free_fall(self.height, acceleration)
     }
@@ -306,7 +320,7 @@ impl Standing for Trajectory<'_> {
             Signal::BlockSliding
         };
         let speed_squared = self.signals.start().of(support.leg, sliding);
-        support.fall > 0.0 || self.laws[support.leg].is_viscous(speed_squared)
+        support.fall > 0.0 || self.laws[support.leg].friction().is_viscous(speed_squared)
     }
 
     /// An element that crushes under more than its share of the weight comes to rest by that.

@@ -75,7 +75,7 @@ impl<'o> Simulation<'o> {
         Self {
             trajectory,
             stability: StabilityTrack::new(monitor, vehicle, scene),
-            steadiness: Steadiness::new(vehicle, scene, rules.rest),
+            steadiness: Steadiness::new(vehicle, scene, settings, rules.rest),
             rest: (rules.rest == RestRule::Energy).then(|| Rest::new(vehicle, scene)),
             control: StepControl::new(FIRST_STEP),
             attempts: 0,

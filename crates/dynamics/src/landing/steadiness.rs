@@ -7,7 +7,7 @@
 use super::rest::free_fall;
 use crate::outcome::Outcome;
 use crate::rules::RestRule;
-use crate::scene::Scene;
+use crate::scene::{Scene, Settings};
 use crate::state::Body;
 use crate::vehicle::Vehicle;
 
@@ -62,7 +62,7 @@ pub(super) struct Steadiness {
     fall_time: f64,
     /// True if landings of a scan may end early; where supports tell when a vehicle is at rest, that is soon enough.
     may_end_early: bool,
-    /// Slope (sine, cosine) on which friction cannot hold the vehicle.
+    /// Slope (sine, cosine) on which sliding friction cannot hold the vehicle.
     slippery: Option<(f64, f64)>,
     /// Downhill speed above which a slide on it counts, ft/s.
     sliding_speed: f64,
@@ -71,7 +71,12 @@ pub(super) struct Steadiness {
 }
 
 impl Steadiness {
-    pub(super) fn new(vehicle: &Vehicle, scene: &Scene, rule: RestRule) -> Self {
+    pub(super) fn new(
+        vehicle: &Vehicle,
+        scene: &Scene,
+        settings: &Settings,
+        rule: RestRule,
+    ) -> Self {
         let conditions = scene.conditions();
         let (sine, cosine) = libm::sincos(conditions.slope);
         let friction = conditions.pad_friction.max(conditions.block_friction);
@@ -81,7 +86,9 @@ impl Steadiness {
             may_end_early: rule == RestRule::Limits,
             sliding_speed: match rule {
                 RestRule::Limits => SLIDING,
-                RestRule::Energy => 0.0,
+                // Static friction may hold a vehicle there that creeps.
+                RestRule::Energy => (conditions.static_friction_ratio)
+                    .map_or(0.0, |_| scene.friction_law(settings).viscous_limit()),
             },
             upright: Stretch::above(UPRIGHT),
             sliding: Stretch::above(SLIDES_UPRIGHT),

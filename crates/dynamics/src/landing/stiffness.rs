@@ -1,6 +1,7 @@
 //! Test for stiff steps.
 
-use crate::rules::{ContactRule, FrictionProfile};
+use crate::friction::FrictionLaw;
+use crate::rules::ContactRule;
 use crate::scene::Settings;
 
 /// Greatest rate of decay times step length above which steps are implicit, at a tolerance of 1e-4: explicit steps
@@ -23,12 +24,11 @@ pub(super) struct Stiffness {
 }
 
 impl Stiffness {
-    pub(super) fn new(settings: &Settings, contact: ContactRule) -> Self {
+    pub(super) fn new(settings: &Settings, contact: ContactRule, friction: &FrictionLaw) -> Self {
         let tolerance = settings.tolerance();
-        // One rate is nearly all of the sum where friction sets in like a step, or slows a light pad in its hinge.
-        // Explicit steps would be held at their stability limit and never be found stiff.
-        let is_one_rate =
-            contact == ContactRule::Face || settings.friction_profile() != FrictionProfile::C;
+        // One rate is nearly all of the sum where friction sets in faster than that of 1966, or slows a light pad in its
+        // hinge. Explicit steps would be held at their stability limit and never be found stiff.
+        let is_one_rate = contact == ContactRule::Face || *friction != FrictionLaw::default();
         let most = if is_one_rate { STIFF } else { EXPLICIT_LIMIT };
         Self {
             limit: most.min(STIFF * (1e-4 / tolerance).max(1.0).sqrt().sqrt()),

@@ -119,6 +119,7 @@ impl<'o> Trajectory<'o> {
         let rules = settings.rules(vehicle);
         let motion = Motion::new(vehicle, scene).with_contact_rule(rules.contact);
         let legs = motion.leg_count();
+        let friction = scene.friction_law(settings);
         let laws: ArrayVec<LegLaws, MOST_LEGS> = (vehicle.hinged_legs().iter())
             .enumerate()
             .map(|(index, leg)| {
@@ -127,7 +128,7 @@ impl<'o> Trajectory<'o> {
                     .on_soil(&scene.conditions().soil_under(index), leg.design())
                     .with_crush_rule(rules.crush)
                     .with_contact_rule(rules.contact)
-                    .with_friction(settings.friction_profile())
+                    .with_friction(friction)
                     .within(settings.tolerance())
             })
             .collect();
@@ -141,7 +142,7 @@ impl<'o> Trajectory<'o> {
             scene: *scene,
             settings: *settings,
             monitor: StabilityMonitor::new(rules, vehicle, scene),
-            stiffness: Stiffness::new(settings, rules.contact),
+            stiffness: Stiffness::new(settings, rules.contact, &friction),
             event_resolution: event_resolution(settings),
             energy,
             motion,

@@ -219,8 +219,8 @@ impl LegMode {
             pad,
             edge,
             block: self.block.line(&laws.block),
-            pad_friction: self.pad_sliding.piece(laws.friction),
-            block_friction: self.block_sliding.piece(laws.friction),
+            pad_friction: self.pad_sliding.piece(&laws.friction),
+            block_friction: self.block_sliding.piece(&laws.friction),
             strut,
             link,
             hinge: self.hinge.piece(laws.stops),
@@ -293,10 +293,10 @@ impl LegMode {
                 outer.drive_bounds().meet(inner.drive_bounds()),
             ),
             BlockCentreRate: only(by_pivot, self.block.drive_bounds()),
-            PadSliding: only(pad_loaded, self.pad_sliding.bounds(laws.friction)),
+            PadSliding: only(pad_loaded, self.pad_sliding.bounds(&laws.friction)),
             BlockSliding: only(
                 self.block.is_loaded(),
-                self.block_sliding.bounds(laws.friction),
+                self.block_sliding.bounds(&laws.friction),
             ),
             LinkRate: self.stance.rate_bounds(&laws.strut),
             LinkTorque: self.stance.torque_bounds(laws.least_push),
@@ -490,10 +490,10 @@ impl LegMode {
         self.pad_has_touched |= self.pad_in_contact();
         self.block_has_touched |= self.block_in_contact();
         if self.pad_loaded() && !before.pad_loaded() {
-            self.pad_sliding = Sliding::at(laws.friction, value(Signal::PadSliding));
+            self.pad_sliding = Sliding::at(&laws.friction, value(Signal::PadSliding));
         }
         if self.block.is_loaded() && !before.block.is_loaded() {
-            self.block_sliding = Sliding::at(laws.friction, value(Signal::BlockSliding));
+            self.block_sliding = Sliding::at(&laws.friction, value(Signal::BlockSliding));
         }
         if self.on_surface() != before.on_surface() && self.stance.is_extended() {
             self.stance = Stance::extended(self.on_surface(), value(Signal::LinkRate));

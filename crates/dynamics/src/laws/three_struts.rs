@@ -5,7 +5,7 @@
 use std::ops::Range;
 
 use crate::crush::{Crush, CrushLaw, PressureLine};
-use crate::friction::{FrictionPiece, FrictionProfile, Sliding};
+use crate::friction::{FrictionLaw, FrictionPiece, Sliding};
 use crate::integrator::event::{Bounds, Exit};
 use crate::lanes::per_lane;
 use crate::outcome::Outcome;
@@ -37,7 +37,7 @@ pub struct LegLaws {
     pad: CrushLaw,
     /// Interference at which the pad is crushed by its whole height, ft.
     pad_height: f64,
-    friction: FrictionProfile,
+    friction: FrictionLaw,
     struts: [TwoWayLaw; STRUTS],
 }
 
@@ -197,7 +197,7 @@ fn mirrored(range: Bounds) -> Bounds {
 
 impl LegLaws {
     /// The laws of a leg of this design on this soil.
-    pub fn of(design: &ThreeStrutDesign, soil: &Soil, friction: FrictionProfile) -> Self {
+    pub fn of(design: &ThreeStrutDesign, soil: &Soil, friction: FrictionLaw) -> Self {
         let footpad = &design.footpad;
         let pad = CrushLaw::new(&footpad.profile, 0.0);
         let pad = match soil {
@@ -218,9 +218,9 @@ impl LegLaws {
         (stroke / shortest).max(-stroke / longest)
     }
 
-    /// Returns whether friction is viscous at a squared sliding speed S², ft²/s²: the foot sticks.
-    pub fn is_viscous(&self, speed_squared: f64) -> bool {
-        Sliding::at(self.friction, speed_squared) == Sliding::Viscous
+    /// Friction of the footpad.
+    pub fn friction(&self) -> &FrictionLaw {
+        &self.friction
     }
 }
 
@@ -251,7 +251,7 @@ impl LegMode {
     pub fn pieces(&self, laws: &LegLaws) -> LegPieces<f64> {
         LegPieces {
             pad: self.pad.line(&laws.pad),
-            friction: self.sliding.piece(laws.friction),
+            friction: self.sliding.piece(&laws.friction),
             struts: std::array::from_fn(|k| self.struts[k].line(&laws.struts[k])),
         }
     }
@@ -262,7 +262,7 @@ impl LegMode {
         ranges[INTERFERENCE] = self.pad.interference_bounds(&laws.pad, false);
         if self.pad.is_loaded() {
             ranges[INTERFERENCE] = ranges[INTERFERENCE].meet(Bounds::below(laws.pad_height));
-            ranges[SLIDING] = self.sliding.bounds(laws.friction);
+            ranges[SLIDING] = self.sliding.bounds(&laws.friction);
         }
         ranges[INTERFERENCE_RATE] = self.pad.rate_bounds();
         for (k, (strut, law)) in self.struts.iter().zip(&laws.struts).enumerate() {
@@ -308,7 +308,7 @@ impl LegMode {
             }
         }
         if !was_loaded && self.pad.is_loaded() {
-            self.sliding = Sliding::at(laws.friction, signals[SLIDING]);
+            self.sliding = Sliding::at(&laws.friction, signals[SLIDING]);
         }
         Ok(())
     }

@@ -52,7 +52,7 @@ impl ForceModel {
                     .clone()
                     .on_soil(&scene.conditions().soil_under(index), leg.design())
                     .with_crush_rule(settings.rules(vehicle).crush)
-                    .with_friction(settings.friction_profile())
+                    .with_friction(scene.friction_law(settings))
             })
             .collect();
         let untouched = PerLeg::from_fn(laws.len(), |j| {

@@ -5,7 +5,7 @@ use crate::common::random::fixed_list;
 use crate::common::surveyor_leg;
 use touchdown_dynamics::contact::LegMode;
 use touchdown_dynamics::crush::{Crush, CrushLaw, PressureLine};
-use touchdown_dynamics::friction::{FrictionProfile, Sliding};
+use touchdown_dynamics::friction::{FrictionLaw, FrictionProfile, Sliding};
 use touchdown_dynamics::integrator::event::Exit;
 use touchdown_dynamics::motion::Signal;
 use touchdown_dynamics::profile::Profile;
@@ -177,6 +177,7 @@ fn a_pad_that_has_touched_is_stopped_at_pressure_not_at_contact_while_its_strut_
 
 #[test]
 fn friction_profile_c() {
+    let law = FrictionLaw::default();
     for k in 1..=2000 {
         let speed = 0.001 * f64::from(k) - 5e-4;
         let expected = if speed <= 0.05 {
@@ -187,26 +188,62 @@ fn friction_profile_c() {
             1.0
         };
         let squared = speed * speed;
-        let sliding = Sliding::at(FrictionProfile::C, squared);
-        let coefficient = sliding.piece::<f64>(FrictionProfile::C).per_speed(squared) * speed;
+        let sliding = Sliding::at(&law, squared);
+        let coefficient = sliding.piece::<f64>(&law).per_speed(squared) * speed;
         assert!(
             (coefficient - expected).abs() < 1e-12,
             "{coefficient} at {speed} ft/s"
         );
-        let range = sliding.bounds(FrictionProfile::C);
+        let range = sliding.bounds(&law);
         assert!(range.lower <= squared && squared <= range.upper);
     }
     // At rest there is no friction, and no division by nothing.
-    let at_rest = Sliding::at(FrictionProfile::C, 0.0).piece::<f64>(FrictionProfile::C);
+    let at_rest = Sliding::at(&law, 0.0).piece::<f64>(&law);
     assert_eq!(at_rest.per_speed(0.0), 24.0);
+}
+
+/// μ/μ0 at a sliding speed, ft/s.
+fn coefficient(law: &FrictionLaw, speed: f64) -> f64 {
+    let piece = Sliding::at(law, speed * speed).piece::<f64>(law);
+    piece.per_speed(speed * speed) * speed
+}
+
+#[test]
+fn static_friction_is_the_peak_from_which_friction_falls_to_sliding_friction() {
+    use FrictionProfile::{A, B, C};
+    for (profile, ratio) in [(A, 5.0), (B, 2.5), (C, 1.0), (C, 1.7), (C, 100.0)] {
+        let law = FrictionLaw::new(profile, Some(ratio));
+        let limit = profile.viscous_limit();
+        assert!(law.is_viscous(0.999 * limit * limit) && !law.is_viscous(1.001 * limit * limit));
+        let middle = 0.5 * (limit + 1.05);
+        let known = [
+            (0.5 * limit, 0.5 * ratio),
+            (limit, ratio),
+            (limit * (1.0 + 1e-12), ratio),
+            (middle, 0.5 * (ratio + 1.0)),
+            (1.05, 1.0),
+            (1.06, 1.0),
+            (40.0, 1.0),
+        ];
+        for (speed, expected) in known {
+            let found = coefficient(&law, speed);
+            let off = (found - expected).abs();
+            assert!(
+                off < 1e-9 * ratio,
+                "{profile:?}, {ratio}: {found} at {speed} ft/s"
+            );
+        }
+    }
+    let of_1966 = FrictionLaw::new(C, Some(FrictionProfile::STATIC_RATIO));
+    for speed in [0.01, 0.05, 0.3, 1.0, 2.0] {
+        let off = coefficient(&of_1966, speed) - coefficient(&FrictionLaw::default(), speed);
+        assert!(off.abs() < 1e-14, "{off} at {speed} ft/s");
+    }
 }
 
 #[test]
 fn friction_profiles_differ_only_near_rest() {
-    let coefficient = |profile: FrictionProfile, speed: f64| {
-        let piece = Sliding::at(profile, speed * speed).piece::<f64>(profile);
-        piece.per_speed(speed * speed) * speed
-    };
+    let coefficient = |profile, speed| coefficient(&FrictionLaw::new(profile, None), speed);
     for profile in [FrictionProfile::A, FrictionProfile::B] {
         let limit = profile.viscous_limit();
         assert!(limit < FrictionProfile::C.viscous_limit());

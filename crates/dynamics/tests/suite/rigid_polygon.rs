@@ -85,6 +85,7 @@ fn topples(vehicle: &Vehicle, roll_deg: f64, speed: f64) -> bool {
         slope: 0.0,
         pad_friction: 10.0,
         block_friction: 10.0,
+        static_friction_ratio: None,
         soil: touchdown_dynamics::soil::Soil::Rock,
         ground: Ground::default(),
         gravity: None,

@@ -129,6 +129,7 @@ fn conditions() -> Conditions {
         slope: 0.0,
         pad_friction: 0.4,
         block_friction: 0.4,
+        static_friction_ratio: None,
         soil: Default::default(),
         ground: Default::default(),
         gravity: None,

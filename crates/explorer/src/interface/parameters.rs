@@ -7,7 +7,8 @@ mod slider;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use touchdown_dynamics::attitude::Attitude;
-use touchdown_dynamics::quantities::BEARING_FACTOR;
+use touchdown_dynamics::quantities::{BEARING_FACTOR, STATIC_FRICTION_RATIO};
+use touchdown_dynamics::rules::FrictionProfile;
 use touchdown_figures::axis_title::bare_title;
 use touchdown_figures::unit::unit_of;
 use touchdown_input::documents::output_units::OutputUnits;
@@ -141,6 +142,9 @@ fn of_scene(touchdown: &Touchdown, parameter: &Parameter) -> Option<(f64, bool)>
     }
     if name.starts_with("footing[") {
         return quantity.default_number().map(|value| (value, false));
+    }
+    if name == STATIC_FRICTION_RATIO.key {
+        return Some((FrictionProfile::STATIC_RATIO, false));
     }
     if name == "gravity_fps2" {
         return Some((touchdown.vehicle.vehicle.gravity(), false));

@@ -105,7 +105,6 @@ test("landings of a sample are selected and replayed", async () => {
 test("a shipped map has values at its points, and landings that are refused leave no verdict", async () => {
   const page = await explorer.open("#tab=map&results=six-legs-map&at=180,0");
   await page.waitForFunction(() => document.querySelectorAll(".pair .outcome[data-class]").length === 2);
-  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await page.locator(".contour canvas").boundingBox());
   const shades = await page.locator(".contour canvas").evaluate((/** @type {HTMLCanvasElement} */ canvas) => {
     const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d")).getImageData(0, 0, 0.85 * canvas.width, canvas.height);
     const seen = new Map();
@@ -117,6 +116,9 @@ test("a shipped map has values at its points, and landings that are refused leav
   });
   assert.ok(shades > 8, `${shades} shades`);
   await page.route("**/api/at", (route) => route.abort());
+  // The map has its place once all below it is there.
+  await calm(page);
+  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await page.locator(".contour canvas").boundingBox());
   await page.mouse.click(box.x + 0.3 * box.width, box.y + 0.5 * box.height);
   await page.waitForFunction(() => [...document.querySelectorAll(".pair .outcome")].every((part) => /** @type {HTMLElement} */ (part).dataset.class === "none"));
   explorer.complaints();

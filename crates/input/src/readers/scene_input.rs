@@ -340,6 +340,7 @@ impl NamedConditions {
             slope: angle(&quantities::SLOPE)?,
             pad_friction: need(&quantities::PAD_FRICTION)?,
             block_friction: need(&quantities::BLOCK_FRICTION)?,
+            static_friction_ratio: self.given(&quantities::STATIC_FRICTION_RATIO)?,
             attitude: self.attitude()?,
             angular_velocity: [
                 angle(&quantities::ANGULAR_VELOCITY_X)?,
@@ -348,14 +349,15 @@ impl NamedConditions {
             ],
             soil: self.soil()?,
             ground: self.ground()?,
-            gravity: self.gravity()?,
+            gravity: self.given(&quantities::GRAVITY)?,
             thrust: self.thrust()?,
         };
         Scene::new(conditions).map_err(|invalid| self.fault(invalid))
     }
 
-    fn gravity(&self) -> Result<Option<f64>, SceneFault> {
-        let name = quantities::GRAVITY.key;
+    /// Value of a condition, if it is given.
+    fn given(&self, quantity: &Quantity) -> Result<Option<f64>, SceneFault> {
+        let name = quantity.key;
         self.get(name).map(|_| self.need(name)).transpose()
     }
 

@@ -163,6 +163,7 @@ impl Stock {
             slope: random.between(-15f64.to_radians(), 15f64.to_radians()),
             pad_friction: random.between(0.2, 1.5),
             block_friction: random.between(0.2, 1.5),
+            static_friction_ratio: None,
             ground: uneven(&vehicle, ground, random)?,
             gravity: Some(gravity),
             thrust: thrust(vehicle.mass() * gravity, engine, random)?,

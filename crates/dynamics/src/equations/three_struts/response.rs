@@ -399,6 +399,7 @@ mod tests {
             slope: 0.1,
             pad_friction: 0.4,
             block_friction: 0.4,
+            static_friction_ratio: None,
             soil: Default::default(),
             ground: Default::default(),
             gravity: None,

@@ -89,7 +89,7 @@ impl<'o> Simulation<'o> {
             .enumerate()
             .map(|(index, leg)| {
                 let soil = conditions.soil_under(index);
-                LegLaws::of(leg.design(), &soil, settings.friction_profile())
+                LegLaws::of(leg.design(), &soil, scene.friction_law(settings))
             })
             .collect();
         let modes = PerLeg::from_fn(legs.len(), |j| LegMode::untouched(&laws[j]));
@@ -119,7 +119,7 @@ impl<'o> Simulation<'o> {
             thrust_work: 0.0,
             start: state,
             control: StepControl::new(FIRST_STEP),
-            steadiness: Steadiness::new(vehicle, scene, RestRule::Energy),
+            steadiness: Steadiness::new(vehicle, scene, settings, RestRule::Energy),
             rest: Rest::new(vehicle, scene),
             seen: Seen::NOTHING,
             extremes: Extremes::none(),

@@ -48,7 +48,7 @@ impl LegLaws {
         let value = |signal: Signal| signals[signal as usize];
         let driven = |rate: Signal| self.rule == CrushRule::Section || value(rate) >= 0.0;
         let sliding =
-            |signal: Signal| Sliding::at(self.friction, value(signal)).piece(self.friction);
+            |signal: Signal| Sliding::at(&self.friction, value(signal)).piece(&self.friction);
         let section = |k: usize, signal: Signal| {
             self.pad
                 .state_at(sets.pad[k], value(signal), driven(Signal::PivotRate))

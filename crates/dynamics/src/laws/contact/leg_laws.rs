@@ -4,7 +4,7 @@ use libm::{cos, sincos};
 
 use super::{Sets, Sinkages};
 use crate::crush::CrushLaw;
-use crate::friction::{FrictionProfile, Sliding};
+use crate::friction::FrictionLaw;
 use crate::hinge::Stops;
 use crate::parts::{LegDesign, Strut, StrutElement};
 use crate::rules::{ContactRule, CrushRule};
@@ -35,7 +35,7 @@ pub struct LegLaws {
     /// cos ξ below which a footpad is on its edge, or has no law.
     pub(super) least_inclination: f64,
     pub(super) rule: CrushRule,
-    pub(super) friction: FrictionProfile,
+    pub(super) friction: FrictionLaw,
     pub(super) heights: Heights,
     /// Torque by which a strut pushes its link back before its stroke counts, ft·lb; a pad would not stay pushed by
     /// less.
@@ -132,7 +132,7 @@ impl LegLaws {
             least_inclination: (design.footpad.edge.as_ref())
                 .map_or(LEAST_PAD_INCLINATION, |edge| cos(edge.angle)),
             rule: CrushRule::default(),
-            friction: FrictionProfile::default(),
+            friction: FrictionLaw::default(),
             heights: Heights::of(design),
             torque_on_stop: torque_on_stop(design),
             least_push: 0.0,
@@ -216,8 +216,8 @@ impl LegLaws {
         Self { rule, ..self }
     }
 
-    /// Returns these laws with another friction profile.
-    pub fn with_friction(self, friction: FrictionProfile) -> Self {
+    /// Returns these laws with another law of friction.
+    pub fn with_friction(self, friction: FrictionLaw) -> Self {
         Self { friction, ..self }
     }
 
@@ -232,9 +232,9 @@ impl LegLaws {
         self.table_end
     }
 
-    /// Returns whether friction is viscous at a squared sliding speed S², ft²/s²: the foot sticks.
-    pub fn is_viscous(&self, speed_squared: f64) -> bool {
-        Sliding::at(self.friction, speed_squared) == Sliding::Viscous
+    /// Friction of the footpad and of the block.
+    pub fn friction(&self) -> &FrictionLaw {
+        &self.friction
     }
 
     /// Returns these laws with changes no more exact than landings at this tolerance need.

@@ -56,11 +56,18 @@ pub fn usual_conditions() -> impl Strategy<Value = Conditions> {
         slope: ground.0,
         pad_friction: ground.1,
         block_friction: ground.2,
+        static_friction_ratio: None,
         soil: touchdown_dynamics::soil::Soil::Rock,
         ground: touchdown_dynamics::ground::Ground::default(),
         gravity: None,
         thrust: touchdown_dynamics::thrust::Thrust::default(),
     })
+}
+
+/// Static friction of a third of the touchdowns, drawn from the last digits of another number.
+fn static_friction(friction: f64) -> Option<f64> {
+    let part = (1e4 * friction).fract();
+    (part < 1.0 / 3.0).then_some(1.0 + 12.0 * part)
 }
 
 /// Touchdowns without regard to sense: any lean to a right angle, steep slopes both ways, spins.
@@ -87,6 +94,7 @@ pub fn wild_scene() -> impl Strategy<Value = Scene> {
             slope: unless(4, ground.0),
             pad_friction: unless(5, ground.1),
             block_friction: ground.2,
+            static_friction_ratio: static_friction(ground.2),
             soil: touchdown_dynamics::soil::Soil::Rock,
             ground: touchdown_dynamics::ground::Ground::default(),
             gravity: None,
