@@ -5,6 +5,7 @@ pub mod column_units;
 pub(crate) mod csv_rows;
 pub mod document;
 pub mod fingerprint;
+pub mod history_columns;
 pub mod input_error;
 pub mod key_path;
 pub mod library;

@@ -8,8 +8,9 @@
 //! `docs/reference.md` come from it. It is below the readers because a lander built in Rust is checked by it too.
 //!
 //! **A column is one entry.** Its name, the kind of its cells, the function that takes it from a landing, a boundary, a band or an
-//! instant, and its sentence in `docs/output.md` stand together ([`documents::column`]; the catalogues are the `COLUMNS` of
-//! `output` and `summary` of the crate `touchdown-sweep`). CSV, Parquet, JSON, Python and the document come from it. Rows are typed until they are written.
+//! instant, its sentence in `docs/output.md`, and the title of its axis where its name does not say it, stand together ([`documents::column`]; the catalogues are
+//! [`documents::history_columns`] and the `COLUMNS` of `output` and `summary` of the crate `touchdown-sweep`). CSV, Parquet, JSON, Python, pictures and the document
+//! come from it. Rows are typed until they are written.
 //!
 //! The crate has floors; each uses only those below it (checked by `scripts/floors.py`):
 //!

@@ -5,8 +5,8 @@ use pyo3::types::{PyByteArray, PyDict};
 use touchdown_dynamics::land::{land as compute, land_observed};
 use touchdown_dynamics::landing::{Instant, Landing, land_located_while};
 use touchdown_dynamics::methods::Method;
+use touchdown_input::documents::history_columns::{names, values};
 use touchdown_input::documents::input_error::InputError;
-use touchdown_sweep::output::history::{names, values};
 use touchdown_sweep::output::landing_report::warning;
 use touchdown_sweep::output::landing_table::{self, why};
 

@@ -1,20 +1,10 @@
 //! Titles of axes: names of columns in words and symbols, with units.
 
 use touchdown_dynamics::quantities;
+use touchdown_input::documents::history_columns::OF_BODY;
 
 use crate::parameter_words::parameter_words;
 use crate::unit::{bare_name, unit_of};
-
-/// Columns of histories with other words than their names, without their units.
-const OF_HISTORIES: [(&str, &str); 7] = [
-    ("x", "Position across"),
-    ("y", "Position up the slope"),
-    ("z", "Position down"),
-    ("x_rate", "Velocity across"),
-    ("y_rate", "Velocity up the slope"),
-    ("z_rate", "Velocity down"),
-    ("sigma", "Stability angle σ"),
-];
 
 /// The title of the axis of a column: its name in words with its unit.
 pub fn axis_title(column: &str) -> String {
@@ -28,14 +18,16 @@ pub fn axis_title(column: &str) -> String {
 /// The title of the axis of a column without its unit.
 pub fn bare_title(column: &str) -> String {
     let bare = bare_name(column);
-    let of_history = OF_HISTORIES.iter().find(|(name, _)| *name == bare);
+    let is_it = |name| bare_name(name) == bare;
+    let of_history = || {
+        let column = OF_BODY.iter().find(|column| is_it(column.name()))?;
+        column.title()
+    };
     let of_input = || {
         let mut conditions = quantities::CONDITIONS.iter();
-        conditions
-            .find(|quantity| bare_name(quantity.key) == bare)?
-            .title
+        conditions.find(|quantity| is_it(quantity.key))?.title
     };
-    match of_history.map(|(_, title)| *title).or_else(of_input) {
+    match of_history().or_else(of_input) {
         Some(title) => title.to_owned(),
         None => capitalized(&leg_last(&parameter_words(column))),
     }
@@ -82,6 +74,8 @@ mod tests {
     fn titles_have_words_and_units() {
         for (column, title) in [
             ("roll_deg", "Roll angle Ξ, deg"),
+            ("y_rate_mps", "Velocity up the slope, m/s"),
+            ("sigma_deg", "Stability angle σ, deg"),
             ("strut_force_2_lb", "Strut force, leg 2, lb"),
             ("pad_set_1_inboard_ft", "Pad set inboard, leg 1, ft"),
             (

@@ -112,6 +112,7 @@ pub struct Column<R> {
     source: Source<R>,
     /// Unit in words, if it does not follow from the name.
     unit: Option<&'static str>,
+    title: Option<&'static str>,
     about: &'static str,
 }
 
@@ -121,6 +122,7 @@ impl<R> Column<R> {
             name,
             source,
             unit: None,
+            title: None,
             about,
         }
     }
@@ -168,6 +170,18 @@ impl<R> Column<R> {
     pub const fn in_unit(mut self, unit: &'static str) -> Self {
         self.unit = Some(unit);
         self
+    }
+
+    /// Gives its axis in pictures a title, without the unit.
+    #[must_use]
+    pub const fn titled(mut self, title: &'static str) -> Self {
+        self.title = Some(title);
+        self
+    }
+
+    /// Title of its axis in pictures; none if the words of the name say it.
+    pub fn title(&self) -> Option<&'static str> {
+        self.title
     }
 
     /// Name in program units, with `#` for the number of a leg.

@@ -1,9 +1,10 @@
 //! All columns of all tables, as `docs/output.md` lists them.
 
 use touchdown_input::documents::column::{Column, described};
+use touchdown_input::documents::history_columns::{OF_BODY, OF_LEG};
 
 use crate::output::map_tables::{EDGE_COLUMNS, GRID_COLUMNS, SURFACE_COLUMNS};
-use crate::output::{bands_table, history, landing_table, results, sensitivity_table};
+use crate::output::{bands_table, landing_table, results, sensitivity_table};
 use crate::summary::probabilities;
 use crate::summary::transition_statistics::{DISTRIBUTION_COLUMNS, QUANTILE_COLUMNS};
 
@@ -26,10 +27,7 @@ pub fn all() -> Vec<(&'static str, String)> {
         ("map surface", described(&SURFACE_COLUMNS)),
         ("landings", described(&landing_table::COLUMNS)),
         ("reports", described(&landing_table::OF_REPORTS)),
-        (
-            "history",
-            described(&history::OF_BODY) + &described(&history::OF_LEG),
-        ),
+        ("history", described(&OF_BODY) + &described(&OF_LEG)),
         ("sensitivities", described(&sensitivity_table::COLUMNS)),
         ("probabilities", described(&probabilities::columns())),
         ("quantiles", described(&QUANTILE_COLUMNS)),

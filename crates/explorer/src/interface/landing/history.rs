@@ -4,8 +4,8 @@ use serde::Serialize;
 use touchdown_dynamics::landing::Instant;
 use touchdown_figures::axis_title::column_words;
 use touchdown_figures::unit::unit_of;
+use touchdown_input::documents::history_columns::{names, values};
 use touchdown_input::documents::output_units::OutputUnits;
-use touchdown_sweep::output::history::{names, values};
 
 /// Columns with the names used in history files.
 #[derive(Debug, Serialize)]
