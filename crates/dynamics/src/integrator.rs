@@ -1,7 +1,6 @@
-//! The integrator in parts: methods, dense output, step control, event location.
+//! The integrator in parts: methods, steps with dense output, step control, event location.
 
 pub mod cubic;
-pub mod dense;
 pub mod dormand_prince;
 pub mod event;
 pub mod parabola;

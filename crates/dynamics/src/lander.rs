@@ -1,6 +1,5 @@
 //! The vehicle and its touchdown, checked once and correct from then on, and the settings of the computation.
 
-pub mod error_control;
 mod footprint;
 pub mod ground;
 pub mod method;

@@ -5,21 +5,17 @@ pub mod critical_feet;
 pub mod energy;
 mod events;
 mod hidden_forces;
-mod history;
 mod hull;
 mod kinks;
 mod peaks;
 mod ranges;
-mod rates;
 pub mod record;
 mod rest;
-mod signal_history;
 mod simulation;
 pub mod stability;
 mod steadiness;
 mod step_attempt;
 mod stiffness;
-mod strut_peaks;
 mod three_struts;
 mod thrust;
 mod toppling;
@@ -32,10 +28,9 @@ use crate::outcome::{Class, Outcome};
 use crate::scene::{Scene, Settings};
 use crate::vehicle::{Legs, Vehicle};
 
-use history::History;
 use record::Beyond;
 
-pub(crate) use rates::final_rates;
+pub(crate) use account::final_rates;
 pub(crate) use simulation::{NextStart, Simulation};
 pub(crate) use step_attempt::{StepKind, TakeStep, Workspace};
 
@@ -43,6 +38,42 @@ pub use record::{
     Energies, FinalRates, HingedPosture, Instant, Landing, LegInstant, LegPosture, LegWork,
     ThreeStrutPosture,
 };
+
+/// Times and receiver of reports.
+pub(crate) struct History<'o> {
+    interval: f64,
+    reported: u64,
+    /// Time last reported, s.
+    last: f64,
+    observe: &'o mut dyn FnMut(&Instant),
+}
+
+impl<'o> History<'o> {
+    /// Reports every `interval` seconds.
+    fn new(interval: f64, observe: &'o mut dyn FnMut(&Instant)) -> Self {
+        Self {
+            interval,
+            reported: 0,
+            last: f64::NEG_INFINITY,
+            observe,
+        }
+    }
+
+    /// Next time to report at, s.
+    fn next(&self) -> f64 {
+        if self.reported == 0 {
+            0.0
+        } else {
+            self.interval * self.reported as f64
+        }
+    }
+
+    fn report(&mut self, instant: &Instant) {
+        (self.observe)(instant);
+        self.last = instant.time;
+        self.reported += 1;
+    }
+}
 
 /// A landing under way, whatever the legs of its vehicle.
 trait UnderWay {

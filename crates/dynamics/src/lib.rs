@@ -133,7 +133,7 @@
 //! | [`land`], [`methods`], [`impact_surface`] | one landing by any method; the methods of 1966; the surface from impact times | |
 //! | [`landing`] | one landing: steps, events, verdicts, its account | [`touchdown`], [`energy`], `critical_feet`, [`stability`], [`record`] |
 //! | `equations` | kinematics and equations of motion | [`state`], [`kinematics`], [`motion`], [`response`] |
-//! | `lander` | vehicle and touchdown, checked; settings | [`vehicle`], [`scene`], [`ground`], [`thrust`], `settings`, [`method`], [`error_control`] |
+//! | `lander` | vehicle and touchdown, checked; settings | [`vehicle`], [`scene`], [`ground`], [`thrust`], `settings`, [`method`] |
 //! | `laws` | the laws of a leg | [`crush`], [`friction`], [`strut`], [`hinge`], [`contact`], [`leg_pieces`], `signal`, [`outcome`] |
 //! | `design` | plain data of a lander | [`parts`], [`quantities`], [`profile`], [`crush_load`], [`attitude`], [`rules`], [`soil`], [`invalid`] |
 //! | [`integrator`] | methods, dense output, step control, event location: knows nothing of legs | |
@@ -160,7 +160,7 @@ pub use design::{
     attitude, crush_load, invalid, parts, profile, quantities, quantity, rules, soil, three_struts,
 };
 pub use equations::{kinematics, motion, response, state};
-pub use lander::{error_control, ground, method, scene, three_strut_leg, thrust, vehicle};
+pub use lander::{ground, method, scene, three_strut_leg, thrust, vehicle};
 use landing::critical_feet;
 pub use landing::{energy, record, stability, touchdown};
 use laws::signal;

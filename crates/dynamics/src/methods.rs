@@ -5,28 +5,23 @@
 //! published numbers owe to its integration.
 
 mod bouncing_ball;
-mod error_check;
+mod fixed_interval;
 mod flight;
 mod force_model;
 mod integration_summary;
 mod milne;
-mod runge_kutta;
 mod step_doubling;
 mod system;
-mod trapezoidal;
 mod variables;
 
-pub use crate::error_control::{ErrorControl, ErrorLimits, Intervals};
-pub use crate::method::{FixedInterval, Method};
+pub use crate::method::{ErrorControl, ErrorLimits, FixedInterval, Intervals, Method};
 pub use bouncing_ball::BouncingBall;
-pub use error_check::{ErrorCheck, Worst};
+pub use fixed_interval::{RungeKutta, Trapezoidal};
 pub use force_model::{ForceModel, Look};
 pub use integration_summary::IntegrationSummary;
 pub use milne::Milne;
-pub use runge_kutta::RungeKutta;
-pub use step_doubling::StepDoubling;
+pub use step_doubling::{ErrorCheck, StepDoubling, Worst};
 pub use system::{Evaluator, Start, Stepper, System, Taken, Vector};
-pub use trapezoidal::Trapezoidal;
 pub use variables::names as variable_names;
 
 use crate::record::{Instant, Landing};

@@ -8,13 +8,11 @@
 mod body_frame;
 mod leg_frame;
 mod leg_geometry;
-mod leg_pose;
 mod local_ground;
 mod plane;
 
 pub use body_frame::{BodyFrame, SeenGround, Surface};
-pub use leg_frame::{LegFrame, PointVelocity, SeenAlongLeg};
+pub use leg_frame::{LegFrame, LegPose, PointVelocity, SeenAlongLeg};
 pub use leg_geometry::LegGeometry;
-pub use leg_pose::LegPose;
 pub use local_ground::{LegGround, LocalPlane};
 pub use plane::{PlaneDirection, PlanePoint, turned};

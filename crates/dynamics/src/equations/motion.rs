@@ -34,6 +34,7 @@ pub use crate::signal::{LegSignals, Signal};
 pub use footing::Footing;
 pub use free_flight::FreeFlight;
 pub use pieces::Pieces;
+pub(crate) use signals::SignalHistory;
 pub use signals::Signals;
 
 /// Forces on one leg, lb.

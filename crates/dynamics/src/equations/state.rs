@@ -1,7 +1,6 @@
 //! The integrated state: rigid body, legs, and the work done on their elements.
 
-mod combinations;
-mod lanes;
+mod numbers;
 
 use libm::{atan2, hypot};
 use nalgebra::{Matrix3, Vector3, Vector4};

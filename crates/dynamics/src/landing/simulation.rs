@@ -4,7 +4,7 @@ mod step_end;
 
 use pulp::NullaryFnOnce;
 
-use super::history::History;
+use super::History;
 use super::rest::Rest;
 use super::steadiness::Steadiness;
 use super::step_attempt::{StepKind, TakeStep, Workspace};

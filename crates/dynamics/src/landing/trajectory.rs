@@ -2,18 +2,16 @@
 
 use arrayvec::ArrayVec;
 
+use super::History;
 use super::hidden_forces::HiddenForces;
-use super::history::History;
 use super::ranges::{Guards, SignalRanges};
-use super::signal_history::SignalHistory;
 use super::step_attempt::{Decay, Evaluate};
 use super::stiffness::Stiffness;
-use super::strut_peaks::StrutPeaks;
 use crate::contact::{LegLaws, LegMode};
 use crate::energy::kinetic;
 use crate::extremes::least;
 use crate::integrator::step::Step;
-use crate::motion::{FreeFlight, Motion, Pieces, Signal, Signals};
+use crate::motion::{FreeFlight, Motion, Pieces, Signal, SignalHistory, Signals};
 use crate::per_leg::{MOST_LEGS, PerLeg};
 use crate::registers::{Registers, Single};
 use crate::scene::{Scene, Settings};
@@ -49,6 +47,24 @@ pub(super) struct Earlier {
     pub(super) link_accelerations: PerLeg<f64>,
     /// Its length, s.
     pub(super) length: f64,
+}
+
+/// The greatest force of each strut at the ends of steps so far, and its greatest stroke.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct StrutPeaks {
+    /// Magnitude of the force F, lb.
+    pub(super) force: PerLeg<f64>,
+    /// Stroke δ, ft.
+    pub(super) stroke: PerLeg<f64>,
+}
+
+impl StrutPeaks {
+    fn none(legs: usize) -> Self {
+        Self {
+            force: PerLeg::same(legs, 0.0),
+            stroke: PerLeg::same(legs, 0.0),
+        }
+    }
 }
 
 /// A landing under way.

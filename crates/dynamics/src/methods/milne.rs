@@ -8,11 +8,11 @@
 
 use std::collections::VecDeque;
 
-use super::error_check::{ErrorCheck, Worst};
+use super::fixed_interval::step;
 use super::integration_summary::IntegrationSummary;
-use super::runge_kutta::step;
+use super::step_doubling::{ErrorCheck, Worst};
 use super::system::{Evaluator, Start, Stepper, System, Taken, Vector};
-use crate::error_control::Intervals;
+use crate::method::Intervals;
 
 /// Doubling multiplies the error by 32 and the allowed error by 2.
 const SMALL_ENOUGH: f64 = 1.0 / 16.0;

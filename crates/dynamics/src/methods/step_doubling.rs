@@ -6,11 +6,63 @@
 //! stages change the laws' memory; it passes on into the next interval, and is reset only when an interval is tried
 //! again from its start.
 
-use super::error_check::ErrorCheck;
+use super::fixed_interval::step;
 use super::integration_summary::IntegrationSummary;
-use super::runge_kutta::step;
 use super::system::{Evaluator, Start, Stepper, System, Taken, Vector};
-use crate::error_control::Intervals;
+use crate::method::Intervals;
+
+/// The error of an interval as a share of the allowed error (3.3): greatest truncation errors of the variables per second
+/// of simulated time; infinite where no limit is set.
+#[derive(Debug, Clone)]
+pub struct ErrorCheck {
+    limits: Vec<f64>,
+    /// Truncation errors of the interval last checked.
+    pub errors: Vec<f64>,
+}
+
+/// The greatest error as a share of the allowed one, and its variable.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Worst {
+    /// The error over its limit; infinite if it is NaN.
+    pub ratio: f64,
+    /// Index of the variable; `None` while no error is greater than zero.
+    pub variable: Option<usize>,
+}
+
+impl ErrorCheck {
+    /// A check against these limits.
+    pub fn new(limits: Vec<f64>) -> Self {
+        Self {
+            errors: Vec::with_capacity(limits.len()),
+            limits,
+        }
+    }
+
+    /// Checks errors that are a `fraction` of `differences`, over an interval of `length` seconds.
+    pub fn worst(
+        &mut self,
+        length: f64,
+        fraction: f64,
+        differences: impl FnOnce(&mut Vec<f64>),
+    ) -> Worst {
+        differences(&mut self.errors);
+        let mut worst = Worst {
+            ratio: 0.0,
+            variable: None,
+        };
+        for (variable, (error, limit)) in self.errors.iter_mut().zip(&self.limits).enumerate() {
+            *error *= fraction;
+            let ratio = error.abs() / (length * limit);
+            if ratio > worst.ratio || ratio.is_nan() {
+                worst = Worst {
+                    ratio: if ratio.is_nan() { f64::INFINITY } else { ratio },
+                    variable: Some(variable),
+                };
+            }
+        }
+        worst
+    }
+}
 
 /// The method in progress.
 #[derive(Debug, Clone)]

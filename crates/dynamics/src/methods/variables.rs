@@ -7,7 +7,7 @@ use crate::attitude::Attitude;
 use crate::per_leg::PerLeg;
 use crate::state::State;
 
-use crate::error_control::ErrorLimits;
+use crate::method::ErrorLimits;
 
 /// Energies that are summed over the legs: struts, footpads, blocks, sliding of both.
 const ENERGIES: usize = 5;

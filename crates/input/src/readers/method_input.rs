@@ -1,7 +1,7 @@
 //! Integration methods by name, with their numbers.
 
-use touchdown_dynamics::error_control::ERROR_LIMITS;
 use touchdown_dynamics::invalid::Invalid;
+use touchdown_dynamics::method::ERROR_LIMITS;
 use touchdown_dynamics::methods::{ErrorControl, ErrorLimits, FixedInterval, Method};
 use touchdown_dynamics::quantities::{
     ERROR_SCALE, FIRST_INTERVAL, INTERVAL, LEAST_INTERVAL, TOLERANCE,

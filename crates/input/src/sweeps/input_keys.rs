@@ -1,6 +1,6 @@
 //! All keys of all input files, by table; `docs/reference.md` is checked against them.
 
-use touchdown_dynamics::error_control::ERROR_LIMITS;
+use touchdown_dynamics::method::ERROR_LIMITS;
 use touchdown_dynamics::quantities;
 use touchdown_dynamics::quantity::Quantity;
 

@@ -1,9 +1,8 @@
-//! The body's frame and the ground seen along one leg, and velocities over the ground.
+//! The body's frame and the ground seen along one leg, the positions of its parts, and velocities over the ground.
 
 use nalgebra::Vector3;
 
-use super::leg_pose::LegPose;
-use super::plane::PlanePoint;
+use super::plane::{PlaneDirection, PlanePoint};
 use crate::scalar::Real;
 
 /// The body's frame seen along one leg: components outboard (e), across (k×e) and down (k).
@@ -31,6 +30,35 @@ pub struct SeenAlongLeg<S> {
     pub(super) depth: S,
     /// 1/cos ξ_B ([`super::SeenGround`]).
     pub upright: S,
+}
+
+/// Geometry of a leg at one instant.
+#[derive(Debug, Clone, Copy)]
+pub struct LegPose<S> {
+    /// Footpad pivot r_p (7).
+    pub pivot: PlanePoint<S>,
+    /// Normal s of the lower link: pivot velocity per l_L γ̇.
+    pub link_normal: PlaneDirection<S>,
+    /// Pad axis y''.
+    pub pad_y: PlaneDirection<S>,
+    /// Pad axis z''.
+    pub pad_z: PlaneDirection<S>,
+    /// cos ξ = z''·n.
+    pub pad_inclination: S,
+    /// 1/cos ξ, held beyond 84 deg.
+    pub pad_upright: S,
+    /// y''·n.
+    pub pad_y_normal: S,
+    /// Strut stroke δ, ft.
+    pub stroke: S,
+    /// Strut lever dl_D/dγ (12), ft.
+    pub strut_lever: S,
+    /// Interference of the outboard and inboard pad sections (19), ft.
+    pub pad_interference: [S; 2],
+    /// Interference of the block (28), ft.
+    pub block_interference: S,
+    /// Crushed centre of the block.
+    pub block_center: PlanePoint<S>,
 }
 
 /// Velocity, relative to the surface, of a point of the vehicle, split along the inward normal.

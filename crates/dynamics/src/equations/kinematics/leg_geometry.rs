@@ -4,8 +4,7 @@ use libm::sincos;
 use nalgebra::Vector3;
 
 use super::body_frame::{BodyFrame, SeenGround, held, upright};
-use super::leg_frame::{LegFrame, SeenAlongLeg};
-use super::leg_pose::LegPose;
+use super::leg_frame::{LegFrame, LegPose, SeenAlongLeg};
 use super::plane::{PlaneDirection, PlanePoint};
 use crate::lanes::per_lane;
 use crate::scalar::Real;

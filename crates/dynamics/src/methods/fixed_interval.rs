@@ -1,8 +1,8 @@
-//! The classical Runge-Kutta method of order 4, at a fixed interval.
+//! The methods at a fixed interval: classical Runge-Kutta of order 4, and trapezoidal.
 
 use super::system::{Evaluator, Start, Stepper, System, Taken, Vector};
 
-/// Takes one step; `look` gives derivatives.
+/// Takes one step of Runge-Kutta; `look` gives derivatives.
 pub(super) fn step<V: Vector>(start: &Start<V>, length: f64, mut look: impl FnMut(&V) -> V) -> V {
     let Start { state, slope: k1 } = start;
     let half = 0.5 * length;
@@ -16,7 +16,7 @@ pub(super) fn step<V: Vector>(start: &Start<V>, length: f64, mut look: impl FnMu
     )
 }
 
-/// The method.
+/// The classical Runge-Kutta method of order 4.
 #[derive(Debug, Clone, Copy)]
 pub struct RungeKutta {
     /// Interval, s.
@@ -32,6 +32,29 @@ impl<S: System> Stepper<S> for RungeKutta {
     ) -> Taken<S::State> {
         let length = self.interval.min(longest);
         let state = step(start, length, |state| evaluator.slope(state));
+        Taken { length, state }
+    }
+}
+
+/// The trapezoidal method: Euler's prediction, corrected once by the mean of the slopes at both ends.
+#[derive(Debug, Clone, Copy)]
+pub struct Trapezoidal {
+    /// Interval, s.
+    pub interval: f64,
+}
+
+impl<S: System> Stepper<S> for Trapezoidal {
+    fn advance(
+        &mut self,
+        start: &Start<S::State>,
+        longest: f64,
+        evaluator: &mut Evaluator<S>,
+    ) -> Taken<S::State> {
+        let length = self.interval.min(longest);
+        let predicted = start.state.advanced([length], [&start.slope]);
+        let slope = evaluator.slope(&predicted);
+        let half = 0.5 * length;
+        let state = start.state.advanced([half, half], [&start.slope, &slope]);
         Taken { length, state }
     }
 }
