@@ -1,6 +1,6 @@
-//! All bands of equal outcome between the lowest and the highest speed of a search.
+//! The first transition of a search, or all bands of equal outcome between its lowest and its highest speed.
 //!
-//! The whole range is scanned, intervals that may hide a band are checked, and every change between neighbouring
+//! For all bands the whole range is scanned, intervals that may hide a band are checked, and every change between neighbouring
 //! landings of different class is narrowed down. A third class met on the way becomes a band of its own.
 
 use futures::future::FutureExt;
@@ -9,6 +9,7 @@ use touchdown_dynamics::outcome::Outcome;
 use crate::boundary::{Band, Boundary, Bracket};
 use crate::certainty::Certainty;
 use crate::landings_on_request::{FirstError, Land, Stopped};
+use crate::narrowed_scan::NarrowedScan;
 use crate::search_range::{Extent, Search};
 use crate::trial::{Sample, Trial};
 use crate::variation::Variation;
@@ -34,6 +35,22 @@ impl Search {
         first_error.result(found)
     }
 
+    /// Searches the first transition. Outcomes can re-enter: above the speed at which a lander topples it may be stable
+    /// again, and bisection over the whole range could settle on any of the changes. So the range is first scanned upward
+    /// in steps, and only the step in which the outcome changes is narrowed down.
+    ///
+    /// # Errors
+    /// Returns at once if a landing stops.
+    async fn first_transition(&self, land: &Land<'_>) -> Result<Boundary, Stopped> {
+        let scan = self.narrowed_scan(true, land).await?;
+        let mut boundary = boundary(&scan);
+        let is_bracketed = boundary.transition.is_some_and(|found| found.low.is_some());
+        let first = usize::from(is_bracketed);
+        let settled = self.settled(&scan.samples, first, land).await?;
+        boundary.settle(&settled);
+        Ok(boundary)
+    }
+
     /// Searches all bands. The first transition is that of [`Search::first_transition`], unless a hidden band lies below
     /// it.
     ///
@@ -41,7 +58,7 @@ impl Search {
     /// Returns at once if a landing stops.
     async fn all_bands(&self, land: &Land<'_>) -> Result<Boundary, Stopped> {
         let scan = self.narrowed_scan(false, land).await?;
-        let mut boundary = Boundary::of_scan(&scan);
+        let mut boundary = boundary(&scan);
         let settled = self.settled(&scan.samples, usize::MAX, land).await?;
         boundary.settle(&settled);
         boundary.bands = bands(&settled.samples);
@@ -50,6 +67,19 @@ impl Search {
         }
         Ok(boundary)
     }
+}
+
+/// The result of a narrowed scan.
+fn boundary(scan: &NarrowedScan) -> Boundary {
+    let mut boundary = Boundary {
+        checks: scan.checks,
+        skipped: scan.skipped,
+        patchy: scan.patchy,
+        ..Boundary::of(&scan.samples)
+    };
+    boundary.landings += scan.spent[0];
+    boundary.evaluations += scan.spent[1];
+    boundary
 }
 
 /// Groups landings of the same class into bands, from end to end.
@@ -88,3 +118,7 @@ fn bands(samples: &[Sample]) -> Vec<Band> {
 #[cfg(test)]
 #[path = "bands_tests.rs"]
 mod tests;
+
+#[cfg(test)]
+#[path = "first_transition_tests.rs"]
+pub(crate) mod first_transition_tests;

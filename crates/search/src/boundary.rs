@@ -1,5 +1,7 @@
 //! Result of a boundary search: the first transition, all bands, and the cost.
 
+use std::ops::AddAssign;
+
 use serde::{Deserialize, Serialize};
 use touchdown_dynamics::outcome::{Class, Outcome};
 
@@ -8,9 +10,6 @@ pub use crate::search_range::{Extent, Search};
 use crate::certainty::Certainty;
 use crate::contact_warnings::ContactWarnings;
 use crate::hidden_band_checks::HiddenBandChecks;
-use crate::narrowed_scan::NarrowedScan;
-use crate::patchy::PatchyStretch;
-use crate::skipped::Skipped;
 use crate::trial::{Sample, first_unstable};
 
 /// A range of speeds in which all landings end in the same class.
@@ -70,6 +69,48 @@ impl Transition {
     /// Middle of the bracket, ft/s; the lowest speed of the search if there is no bracket.
     pub fn speed(&self) -> f64 {
         self.low.map_or(self.high, |low| 0.5 * (low + self.high))
+    }
+}
+
+/// Speeds above a first transition at which stable landings and others alternate.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct PatchyStretch {
+    /// Upper end, ft/s: whole scan steps above the transition, or the highest speed of the search.
+    pub to: f64,
+    /// Landings at even parts of it.
+    pub landings: u64,
+    /// Those of them that are not stable.
+    pub not_stable: u64,
+}
+
+/// Counts for each skip of a search: the work that skips left out, as far as the search itself knows it.
+///
+/// The evaluations that a skipped landing would have taken are known only from a search without the skip.
+/// `docs/notes/skips.md` has both for the level-vehicle grid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct Skipped {
+    /// Landings a full scan takes in addition; negative if halving strides took more landings above the first change
+    /// than were left out below it.
+    pub left_out: i64,
+    /// Landings at a looser tolerance than the solver's.
+    pub loose: u64,
+    /// Scan landings computed in vain: loose ones that had to be computed again at the solver's tolerance, and all
+    /// landings of a scan that was repeated.
+    pub replaced: u64,
+    /// Landings that interpolation saved over halving; negative where it led astray.
+    pub interpolated: i64,
+    /// Transitions not tested because a margin runs through zero there. Each test takes
+    /// [`crate::certainty::LEAST_LANDINGS`] or more.
+    pub untested: u64,
+}
+
+impl AddAssign for Skipped {
+    fn add_assign(&mut self, more: Self) {
+        self.left_out += more.left_out;
+        self.loose += more.loose;
+        self.replaced += more.replaced;
+        self.interpolated += more.interpolated;
+        self.untested += more.untested;
     }
 }
 
@@ -149,19 +190,6 @@ impl Boundary {
         {
             found.certainty = tested.certainty;
         }
-    }
-
-    /// Builds the result of a narrowed scan.
-    pub(crate) fn of_scan(scan: &NarrowedScan) -> Self {
-        let mut boundary = Self {
-            checks: scan.checks,
-            skipped: scan.skipped,
-            patchy: scan.patchy,
-            ..Self::of(&scan.samples)
-        };
-        boundary.landings += scan.spent[0];
-        boundary.evaluations += scan.spent[1];
-        boundary
     }
 
     /// Builds the result of a search from its landings, in order: the first transition and the cost.

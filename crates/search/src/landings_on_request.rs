@@ -6,9 +6,13 @@
 use std::cell::RefCell;
 
 use futures::future::LocalBoxFuture;
+use futures::stream::{self, StreamExt, TryStreamExt};
 
 use crate::trial::{Sample, Trial};
 use crate::variation::Variation;
+
+/// Parts in progress at a time: enough to fill the lanes of a few threads, few enough for the finest scan.
+const PARTS: usize = 32;
 
 /// A landing could not be computed. Only [`FirstError::keep`], which keeps the reason, makes one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,6 +36,16 @@ pub(crate) async fn sample(
         trial,
         is_loose: false,
     })
+}
+
+/// Runs independent parts of a search, many at a time; returns their results in order.
+///
+/// # Errors
+/// The first error of a part.
+pub async fn join_all<T, Stop>(
+    parts: impl Iterator<Item = impl Future<Output = Result<T, Stop>>>,
+) -> Result<Vec<T>, Stop> {
+    stream::iter(parts).buffered(PARTS).try_collect().await
 }
 
 /// The first error of a landing.

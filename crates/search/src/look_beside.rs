@@ -9,10 +9,9 @@ use std::cell::RefCell;
 
 use touchdown_dynamics::outcome::Class;
 
-use crate::join_all::join_all;
-use crate::landings_on_request::{LandAt, Stopped};
+use crate::boundary::PatchyStretch;
+use crate::landings_on_request::{LandAt, Stopped, join_all};
 use crate::narrowed_scan::{NarrowedScan, confirmed};
-use crate::patchy::PatchyStretch;
 use crate::search_range::Search;
 use crate::trial::{Sample, first_unstable, margin_jumps};
 

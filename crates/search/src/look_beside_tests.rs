@@ -6,9 +6,9 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::*;
+use crate::bands::first_transition_tests::SEARCH;
 use crate::boundary::{Boundary, Extent};
 use crate::certainty::Doubt;
-use crate::first_transition::tests::SEARCH;
 use crate::refine::Refinement;
 use crate::search_range::Scan;
 use crate::trial::{Margins, Trial};

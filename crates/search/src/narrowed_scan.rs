@@ -13,15 +13,13 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use touchdown_dynamics::outcome::{Class, Outcome};
 
+use crate::boundary::{PatchyStretch, Skipped};
 use crate::hidden;
 use crate::hidden_band_checks::{CheckCounts, HiddenBandChecks};
-use crate::join_all::join_all;
-use crate::landings_on_request::{self, Land, LandAt, Stopped};
-use crate::patchy::PatchyStretch;
+use crate::landings_on_request::{self, Land, LandAt, Stopped, join_all};
 use crate::refine::Narrowed;
 use crate::run_out::run_outs;
 use crate::search_range::{Scan, Search};
-use crate::skipped::Skipped;
 use crate::trial::{Sample, first_unstable};
 use crate::variation::Variation;
 
@@ -343,8 +341,8 @@ mod tests {
     use std::convert::Infallible;
 
     use super::*;
+    use crate::bands::first_transition_tests::SEARCH;
     use crate::boundary::{Boundary, Extent};
-    use crate::first_transition::tests::SEARCH;
     use crate::trial::Trial;
     use futures::executor::block_on;
 

@@ -22,8 +22,7 @@ use std::cell::RefCell;
 use futures::future::try_join;
 use touchdown_dynamics::outcome::Class;
 
-use crate::join_all::join_all;
-use crate::landings_on_request::{LandAt, Stopped};
+use crate::landings_on_request::{LandAt, Stopped, join_all};
 use crate::refine::{aim, place};
 pub use crate::search_range::Scan;
 

@@ -12,8 +12,7 @@ use touchdown_dynamics::outcome::Class;
 
 use crate::boundary::{Settled, Tested};
 use crate::certainty::{self, Certainty, Doubt, is_doubtful};
-use crate::join_all::join_all;
-use crate::landings_on_request::{self, Land, LandAt, Stopped};
+use crate::landings_on_request::{self, Land, LandAt, Stopped, join_all};
 use crate::search_range::Search;
 use crate::trial::Sample;
 use crate::variation::Variation;

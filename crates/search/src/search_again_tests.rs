@@ -2,8 +2,8 @@ use std::cell::RefCell;
 use std::convert::Infallible;
 
 use super::*;
+use crate::bands::first_transition_tests::SEARCH;
 use crate::boundary::{Boundary, Extent};
-use crate::first_transition::tests::SEARCH;
 use crate::trial::Trial;
 use futures::executor::block_on;
 

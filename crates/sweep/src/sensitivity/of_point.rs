@@ -10,7 +10,7 @@ use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_search::boundary::{Boundary, Extent, Search};
 use touchdown_search::certainty::{Certainty, Doubt};
 use touchdown_search::follow::Near;
-use touchdown_search::join_all::join_all;
+use touchdown_search::join_all;
 use touchdown_search::trial::Trial;
 use touchdown_search::variation::Variation;
 

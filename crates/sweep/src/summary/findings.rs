@@ -93,10 +93,9 @@ pub(crate) mod tests {
     use super::*;
     use touchdown_dynamics::landing::{Energies, FinalRates, LegWork};
     use touchdown_dynamics::outcome::{Class, Failure, Outcome};
-    use touchdown_search::boundary::{Band, Transition};
+    use touchdown_search::boundary::{Band, Skipped, Transition};
     use touchdown_search::certainty::Certainty;
     use touchdown_search::hidden_band_checks::{CheckCounts, HiddenBandChecks};
-    use touchdown_search::skipped::Skipped;
 
     /// A landing invented for tests of tables.
     pub fn example() -> Landing {

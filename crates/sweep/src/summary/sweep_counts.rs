@@ -3,11 +3,10 @@
 use touchdown_dynamics::outcome::Class;
 use touchdown_input::points::design::Design;
 use touchdown_input::sweeps::sweep_file::{Job, Sweep};
-use touchdown_search::boundary::{Boundary, Transition};
+use touchdown_search::boundary::{Boundary, Skipped, Transition};
 use touchdown_search::certainty::Certainty;
 use touchdown_search::contact_warnings::ContactWarnings;
 use touchdown_search::hidden_band_checks::HiddenBandChecks;
-use touchdown_search::skipped::Skipped;
 
 use crate::sensitivity::{Dependence, Sensitivity, Slope};
 use crate::summary::findings::Finding;
