@@ -26,13 +26,11 @@ use charts::{
     boundary_profile, distribution_chart, history_chart, history_page, outcome_chart,
     probability_chart, shading, tornado_chart, tornado_words, work_precision,
 };
-use maps::{
-    colour_bar, contour_map, hatching, heights, isolines, map_view, perspective, view_point,
-};
+use maps::{colour_bar, contour_map, heights, isolines, map_view, perspective, view_point};
 pub use maps::{leading_feet, levels, map_legend, refined_map, surface};
 use page::{canvas, frame, sheet, text, thinning};
 pub use page::{legend, palette, style};
 pub use tables::{bands_table, boundary_table, map_table};
-use tables::{history_table, map_family, profile_points, sensitivity_table, table};
-pub use words::{axis_title, caption, figure_error, number, speed_unit, unit};
-use words::{division, parameter_words, ticks};
+use tables::{history_table, profile_points, sensitivity_table, table};
+pub use words::{axis_title, caption, figure_error, number, unit};
+use words::{division, ticks};

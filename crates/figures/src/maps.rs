@@ -2,7 +2,6 @@
 
 pub mod colour_bar;
 pub mod contour_map;
-pub mod hatching;
 pub mod heights;
 pub mod isolines;
 pub mod leading_feet;

@@ -12,7 +12,6 @@ use crate::heights::Heights;
 use crate::history_chart;
 use crate::history_table::{self, HistoryTable};
 use crate::levels::Levels;
-use crate::map_family;
 use crate::map_table::{self, MapTable};
 use crate::map_view::View;
 use crate::outcome_chart;
@@ -242,7 +241,7 @@ fn refined_maps(
         let divisions = map.axes.each_ref().map(|axis| caption.division(axis));
         (cells, map.placed(divisions))
     };
-    let family = map_family::refined(source.table, tables)?.into_iter();
+    let family = map_table::family(source.table, tables)?.into_iter();
     let family: Vec<(Cells, MapTable)> = family.map(placed).collect();
     let heights = Heights::of_maps(family.iter().map(|(_, map)| map), levels);
     let contours = |(cells, map): &(Cells, MapTable)| {

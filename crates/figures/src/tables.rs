@@ -3,7 +3,6 @@
 pub mod bands_table;
 pub mod boundary_table;
 pub mod history_table;
-pub mod map_family;
 pub mod map_table;
 pub mod profile_points;
 pub mod sensitivity_table;

@@ -5,7 +5,5 @@ pub mod caption;
 pub mod division;
 pub mod figure_error;
 pub mod number;
-pub mod parameter_words;
-pub mod speed_unit;
 pub mod ticks;
 pub mod unit;

@@ -5,9 +5,9 @@ use crate::frame::Area;
 use crate::heights::Heights;
 use crate::number;
 use crate::palette;
-use crate::speed_unit::SpeedUnit;
 use crate::style::Style;
 use crate::text::{Anchor, Font};
+use crate::unit::SpeedUnit;
 
 /// Width of the column with its numbers, pixels.
 const WIDTH: f64 = 92.0;

@@ -1,12 +1,12 @@
 //! Meanings of the marks of maps and perspectives.
 
+use crate::axis_title::parameter_words;
 use crate::boundary_table::Kind;
 use crate::caption::Caption;
 use crate::legend::{Entry, Mark};
 use crate::map_view;
 use crate::number;
 use crate::palette;
-use crate::parameter_words::parameter_words;
 use crate::style::{Style, WHITE};
 use crate::surface::{Cell, Surface};
 

@@ -12,7 +12,7 @@ use crate::sheet::{self, Height, Sheet};
 use crate::style::{Style, WHITE};
 use crate::surface::Surface;
 use crate::view_point::ViewPoint;
-use crate::{colour_bar, contour_map, hatching, number, palette, perspective};
+use crate::{colour_bar, contour_map, number, palette, perspective};
 
 /// Draws the contour map as SVG.
 pub(crate) fn contours(map: &MapTable, heights: &Heights, caption: &Caption) -> String {
@@ -78,10 +78,41 @@ fn hatching(grid: &Grid, asked: f64, width: f64) -> Vec<[[f64; 2]; 2]> {
         let high = (low + 1).min(along.len() - 1);
         along[low] + (index - low as f64) * (along[high] - along[low])
     };
-    hatching::lines([slow.len(), fast.len()], apart, is_coarse)
+    diagonals([slow.len(), fast.len()], apart, is_coarse)
         .into_iter()
         .map(|ends| ends.map(|[row, column]| [at(slow, row), at(fast, column)]))
         .collect()
+}
+
+/// Lines between places, as indices of row and column, on every `apart`-th diagonal of a table of this many rows and
+/// columns. They end half a step beyond the last marked place, or at the border.
+fn diagonals(
+    [rows, columns]: [usize; 2],
+    apart: usize,
+    is_marked: impl Fn(usize, usize) -> bool,
+) -> Vec<[[f64; 2]; 2]> {
+    let mut lines = Vec::new();
+    for diagonal in (0..(rows + columns).saturating_sub(1)).step_by(apart) {
+        let first = (diagonal + 1).saturating_sub(columns);
+        let along: Vec<usize> = (first..=diagonal.min(rows - 1)).collect();
+        let runs =
+            along.chunk_by(|a, b| is_marked(*a, diagonal - a) == is_marked(*b, diagonal - b));
+        let marked = runs.filter(|run| is_marked(run[0], diagonal - run[0]));
+        lines.extend(marked.map(|run| {
+            let end = |row: usize, is_last: bool| {
+                let column = diagonal - row;
+                let beyond = match is_last {
+                    false if row == 0 || column + 1 == columns => 0.0,
+                    true if row + 1 == rows || column == 0 => 0.0,
+                    false => -0.5,
+                    true => 0.5,
+                };
+                [row as f64 + beyond, column as f64 - beyond]
+            };
+            [end(run[0], false), end(run[run.len() - 1], true)]
+        }));
+    }
+    lines
 }
 
 /// Draws the perspective as SVG.
@@ -195,4 +226,22 @@ fn legend(map: &MapTable, caption: &Caption) -> Vec<Entry> {
         words,
     ));
     entries
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_run_through_what_is_marked_and_nothing_else() {
+        let whole = diagonals([3, 4], 1, |_, _| true);
+        assert_eq!(whole.len(), 6, "one for each diagonal");
+        assert_eq!(whole[3], [[0.0, 3.0], [2.0, 1.0]]);
+        assert_eq!(diagonals([3, 4], 2, |_, _| true).len(), 3);
+        assert_eq!(diagonals([3, 4], 1, |_, _| false).len(), 0);
+        // A gap in the middle of the third diagonal.
+        let parted = diagonals([3, 4], 1, |row, column| row + column == 2 && row != 1);
+        assert_eq!(parted, [[[0.0, 2.0], [0.5, 1.5]], [[1.5, 0.5], [2.0, 0.0]]]);
+        assert!(diagonals([1, 1], 1, |_, _| true).len() == 1);
+    }
 }

@@ -1,9 +1,8 @@
-//! Titles of axes: names of columns in words and symbols, with units.
+//! Names of columns and parameters in words and symbols: titles of axes, with units, and parts of sentences.
 
 use touchdown_dynamics::quantities;
 use touchdown_input::documents::history_columns::OF_BODY;
 
-use crate::parameter_words::parameter_words;
 use crate::unit::{bare_name, unit_of};
 
 /// The title of the axis of a column: its name in words with its unit.
@@ -41,6 +40,20 @@ pub fn column_words(column: &str) -> String {
         Some(first) => first.to_lowercase().chain(letters).collect(),
         None => String::new(),
     }
+}
+
+/// A dotted name in words, without units, such as "leg 2 strut preload".
+pub fn parameter_words(name: &str) -> String {
+    let bare = |key: &str| {
+        bare_name(key)
+            .replace("legs[", "leg ")
+            .replace("footing[", "footing ")
+            .replace(']', "")
+            .replace("cross_slope", "cross-slope")
+            .replace('_', " ")
+    };
+    let keys = name.strip_prefix("vehicle.").unwrap_or(name).split('.');
+    keys.map(bare).collect::<Vec<_>>().join(" ")
 }
 
 /// Moves the number of a leg, which column names have before their unit, to the end of the words.
@@ -103,5 +116,25 @@ mod tests {
             column_words("vertical_velocity_fps"),
             "vertical velocity V_V"
         );
+    }
+
+    #[test]
+    fn names_are_words_without_units() {
+        for (name, words) in [
+            ("vertical_velocity_fps", "vertical velocity"),
+            ("cross_slope_deg", "cross-slope"),
+            ("vehicle.mass_slug", "mass"),
+            ("vehicle.gravity_fps2", "gravity"),
+            ("vehicle.inertia_slug_ft2.xy", "inertia xy"),
+            ("vehicle.legs[2].strut.preload_lb", "leg 2 strut preload"),
+            (
+                "vehicle.strut.compression_damping",
+                "strut compression damping",
+            ),
+            ("vehicle.footpad.profile.scale", "footpad profile scale"),
+            ("footing[2].height_ft", "footing 2 height"),
+        ] {
+            assert_eq!(parameter_words(name), words);
+        }
     }
 }

@@ -2,8 +2,7 @@
 
 use crate::documents::input_error::{InputError, Place};
 
-use super::LEGS;
-use super::card::number;
+use super::{LEGS, number};
 
 /// Fields of a table card, and columns of each.
 const FIELDS: usize = 8;

@@ -1,4 +1,3 @@
-use super::card::number;
 use super::*;
 use crate::readers::vehicle_file::VehicleFile;
 use std::path::Path;
