@@ -10,7 +10,6 @@ mod frame;
 mod head;
 pub mod header;
 mod in_order;
-pub mod journal_files;
 pub mod merge;
 pub mod point_set;
 mod records;

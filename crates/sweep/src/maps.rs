@@ -3,15 +3,13 @@
 pub(crate) mod cell;
 pub(crate) mod cell_refinement;
 pub(crate) mod curved;
-pub(crate) mod edge_lines;
+pub(crate) mod edges;
 pub mod height;
 pub(crate) mod interval_refinement;
 pub(crate) mod located_side;
 pub(crate) mod pieces;
-pub(crate) mod profile_edges;
 pub(crate) mod resampled;
 pub mod rounds;
-pub(crate) mod speed_bands;
 pub(crate) mod surface_pieces;
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
-//! Shards: interleaved points of a sweep for one of several machines.
+//! Shards: interleaved points of a sweep for one of several machines, and the files of their journals.
 
-use std::fmt;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
+use std::{fmt, io};
 
 /// One of `count` interleaved parts of the points of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -14,6 +15,8 @@ pub struct Shard {
 
 /// Most shards of a sweep.
 pub const MOST_SHARDS: usize = 60_000;
+/// Ending of the names of journals.
+const ENDING: &str = "journal";
 
 impl Shard {
     /// All points.
@@ -52,6 +55,14 @@ impl Shard {
     pub fn index(self, point: usize) -> Option<usize> {
         (point % self.count == self.number - 1).then_some(point / self.count)
     }
+
+    /// Name of its journal, for the sweep `stem`.
+    pub fn journal(self, stem: &str) -> String {
+        if self == Self::WHOLE {
+            return format!("{stem}.{ENDING}");
+        }
+        format!("{stem}.{}-of-{}.{ENDING}", self.number, self.count)
+    }
 }
 
 impl fmt::Display for Shard {
@@ -72,6 +83,22 @@ impl FromStr for Shard {
             format!("expected NUMBER/COUNT with 1 ≤ NUMBER ≤ COUNT ≤ {MOST_SHARDS}, such as 3/16")
         })
     }
+}
+
+/// The journals in a folder, sorted by name.
+///
+/// # Errors
+/// If the folder cannot be read.
+pub fn journals_in(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    for entry in folder.read_dir()? {
+        let path = entry?.path();
+        if path.is_file() && path.extension().is_some_and(|ending| ending == ENDING) {
+            found.push(path);
+        }
+    }
+    found.sort();
+    Ok(found)
 }
 
 #[cfg(test)]

@@ -8,8 +8,8 @@ use touchdown_input::points::refined_grid::MapRules;
 
 use crate::maps::cell::Cell;
 use crate::maps::cell_refinement::{END, Leaf, Refined, UNKNOWN};
+use crate::maps::height::SpeedBands;
 use crate::maps::located_side::BRACKET;
-use crate::maps::speed_bands::SpeedBands;
 
 /// Refines a first-level interval.
 pub(crate) fn refined<'k>(

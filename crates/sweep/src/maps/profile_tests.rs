@@ -6,11 +6,9 @@ use touchdown_input::points::levels::Levels;
 use touchdown_input::points::refined_grid::{MapRules, RefinedGrid};
 
 use crate::journal::shard::Shard;
-use crate::maps::edge_lines::EdgeKind;
-use crate::maps::height::Height;
-use crate::maps::profile_edges;
+use crate::maps::edges::{EdgeKind, of_profiles};
+use crate::maps::height::{Height, SpeedBands};
 use crate::maps::rounds::Rounds;
-use crate::maps::speed_bands::SpeedBands;
 
 /// Four intervals of ten units, divided down to 10/64 of a unit.
 fn grid(rules: MapRules) -> RefinedGrid {
@@ -94,7 +92,7 @@ fn transitions_are_known_within_the_error_and_edges_within_their_width() {
             "{pair:?}: {halfway}"
         );
     }
-    let edges: Vec<_> = profile_edges::all(&rounds).collect();
+    let edges: Vec<_> = of_profiles(&rounds).collect();
     let expected = [
         (JUMP, EdgeKind::Jump),
         (BAND, EdgeKind::Bands),

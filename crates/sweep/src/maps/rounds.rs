@@ -7,9 +7,8 @@ use touchdown_input::points::refined_grid::{Place, RefinedGrid};
 use crate::journal::shard::Shard;
 use crate::maps::cell::Cell;
 use crate::maps::cell_refinement::{self, Leaf};
-use crate::maps::height::Height;
+use crate::maps::height::{Height, SpeedBands};
 use crate::maps::interval_refinement;
-use crate::maps::speed_bands::SpeedBands;
 use crate::summary::findings::Finding;
 use crate::summary::sweep_counts::CoarseCells;
 

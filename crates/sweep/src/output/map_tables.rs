@@ -4,8 +4,7 @@ use touchdown_input::documents::column::{Cell, Column, Heading, cells, headings}
 use touchdown_input::points::refined_grid::RefinedGrid;
 use touchdown_input::sweeps::sweep_file::Sweep;
 
-use crate::maps::edge_lines::{EdgeKind, EdgeLine};
-use crate::maps::profile_edges;
+use crate::maps::edges::{self, EdgeKind, EdgeLine, ProfileEdge};
 use crate::maps::resampled::Resampled;
 use crate::maps::rounds::Rounds;
 use crate::maps::surface_pieces::MapSurface;
@@ -140,8 +139,8 @@ fn edges_of_surfaces(sweep: &Sweep, surfaces: &[MapSurface]) -> Vec<Vec<Cell>> {
 }
 
 fn edges_of_profiles(sweep: &Sweep, rounds: &Rounds) -> Vec<Vec<Cell>> {
-    let numbered = (1..).zip(profile_edges::all(rounds));
-    let row = |(number, (map, edge)): (u64, (usize, profile_edges::ProfileEdge))| {
+    let numbered = (1..).zip(edges::of_profiles(rounds));
+    let row = |(number, (map, edge)): (u64, (usize, ProfileEdge))| {
         let at = OfEdge {
             number,
             kind: edge.kind,

@@ -45,7 +45,7 @@ use touchdown_input::sweeps::sweep_file::Sweep;
 
 use crate::journal::header::Header;
 use crate::journal::shard::Shard;
-use crate::journal::{InOrder, Journal, JournalError, Opened, journal_files};
+use crate::journal::{InOrder, Journal, JournalError, Opened};
 use crate::output::file_writer::Folder;
 use crate::threads::run::{Observer, RunError, Workers};
 
@@ -103,7 +103,7 @@ impl<'r> Runner<'r> {
                     place: sweep.place(0),
                     fault,
                 });
-                (journal_files::name(&sweep.stem(), shard), header?)
+                (shard.journal(&sweep.stem()), header?)
             }
             Task::Cases(table, name) => (
                 format!("{name}.journal"),

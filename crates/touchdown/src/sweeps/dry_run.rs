@@ -15,7 +15,7 @@ use touchdown_input::sweeps::sweep_file::{Job, Sweep};
 use touchdown_sweep::journal::header::Header;
 use touchdown_sweep::journal::point_set::PointSet;
 use touchdown_sweep::journal::shard::Shard;
-use touchdown_sweep::journal::{self, JournalError, Records, journal_files};
+use touchdown_sweep::journal::{self, JournalError, Records};
 use touchdown_sweep::maps::rounds::Rounds;
 use touchdown_sweep::output::results;
 use touchdown_sweep::summary::findings::Finding;
@@ -51,7 +51,7 @@ pub fn tell(
     for sweep in sweeps {
         let workers = Workers::start(threads)?;
         used = workers.threads();
-        let journal = out.join(journal_files::name(&sweep.stem(), shard));
+        let journal = out.join(shard.journal(&sweep.stem()));
         let looked = look(sweep, shard, workers, &journal, Instant::now() + time)?;
         let estimate = looked.sample.estimate();
         text += &looked.text(sweep, &journal, estimate, used, time);

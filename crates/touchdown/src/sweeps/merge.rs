@@ -6,7 +6,8 @@ use clap::Args;
 use touchdown_input::documents::input_error::InputError;
 use touchdown_input::sweeps::sweep_file::Sweep;
 use touchdown_sweep::journal::merge::{Shards, by_sweep};
-use touchdown_sweep::journal::{Access, InOrder, journal_files};
+use touchdown_sweep::journal::shard::journals_in;
+use touchdown_sweep::journal::{Access, InOrder};
 use touchdown_sweep::output::file_writer::Folder;
 use touchdown_sweep::output::results::Circumstances;
 use touchdown_sweep::output::{result_files, tables};
@@ -56,7 +57,7 @@ pub struct Options {
 /// Runs `merge`.
 pub fn run(options: &Options) -> Result<(), Failure> {
     let refuse = |complaint| Failure::from(InputError::in_file(&options.folder, complaint));
-    let journals = journal_files::in_folder(&options.folder)
+    let journals = journals_in(&options.folder)
         .map_err(|error| InputError::unreadable(&options.folder, error))?;
     if journals.is_empty() {
         return Err(refuse(

@@ -11,7 +11,6 @@ use clap::Args;
 use touchdown_input::documents::input_error::InputError;
 use touchdown_input::documents::output_units::OutputUnits;
 use touchdown_input::sweeps::sweep_file::Sweep;
-use touchdown_sweep::journal::journal_files;
 use touchdown_sweep::journal::shard::Shard;
 use touchdown_sweep::output::file_writer::Folder;
 use touchdown_sweep::output::result_files;
@@ -210,7 +209,7 @@ impl Invocation<'_> {
     }
 
     fn journal(&self, sweep: &Sweep, shard: Shard) -> PathBuf {
-        self.folder.path(&journal_files::name(&sweep.stem(), shard))
+        self.folder.path(&shard.journal(&sweep.stem()))
     }
 
     /// Computes a sweep, or a shard of it, into its journal.
