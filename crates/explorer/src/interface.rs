@@ -4,7 +4,6 @@
 
 mod bands;
 mod bins;
-mod boundary;
 mod classes;
 mod complaint;
 mod computed;
@@ -17,9 +16,7 @@ mod request;
 mod rows;
 mod sample;
 mod search;
-mod speeds;
 mod strip;
-mod table_file;
 mod take_away;
 mod touchdown;
 
@@ -64,12 +61,12 @@ pub fn answer(
         "landing" => landing::answer(named, request, is_over),
         "strip" => strip::answer(named, request, is_over),
         "bands" => bands::answer(named, request, is_over),
-        "boundary" => boundary::answer(named, request, is_over),
+        "boundary" => search::boundary(named, request, is_over),
         "map" => map::answer(named, request),
         "at" => map::answer_at(named, request),
         "sample" => sample::answer(named, request),
         "bins" => bins::answer(named, request),
-        "table_file" => table_file::answer(named, request),
+        "table_file" => take_away::table_file(named, request),
         "scene_file" => take_away::scene_file(named, request),
         "history_file" => take_away::history_file(named, request, is_over),
         "command" => take_away::command(named, request),

@@ -5,7 +5,6 @@ mod compressed;
 mod gate;
 mod impatient;
 mod limits;
-mod random;
 mod reply;
 mod service;
 
@@ -27,7 +26,7 @@ use impatient::Impatient;
 use limits::Limits;
 use service::Service;
 
-pub use random::random_digits;
+pub use gate::random_digits;
 
 /// Default address: this machine only.
 pub const LOOPBACK: Ipv4Addr = Ipv4Addr::LOCALHOST;

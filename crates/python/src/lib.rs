@@ -7,7 +7,7 @@
 //! | part | what |
 //! |---|---|
 //! | `src/documents` | dictionaries become TOML text, and that what files become: keys, units, ranges and complaints are in one place |
-//! | `src/landing`, `boundary`, `cases`, `sweeps` | calls of the engine; columns go to and from NumPy as bytes (`columns`) |
+//! | `src/landing`, `cases`, `sweeps` | calls of the engine; columns go to and from NumPy as bytes (`columns`) |
 //! | `src/interruptible` | long work on a thread of its own, while the caller's looks at signals and tells progress. A landing that does not end when told to is left to itself. A single landing is computed in place and looks at signals itself |
 //! | `src/errors` | complaints and panics as exceptions; `fault` panics on purpose, for tests of the very wheel |
 //! | `vehicle`, `scene`, `landing`, `boundaries`, `cases`, `sweeps` | what people import: values that never change, with docstrings and types |
@@ -17,26 +17,38 @@
 //! | `_units` | results in SI, by the names and factors of the engine |
 //! | `plot` | pictures with matplotlib |
 
-mod boundary;
 mod cases;
 mod columns;
 mod documents;
 mod errors;
-mod fault;
 mod interruptible;
 mod landing;
 mod sweeps;
 
+use pyo3::prelude::*;
+
+use errors::{Failure, guarded};
+
 /// Version of the package.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// Panics where the engine might, so that tests of the built wheel can check the effect: while reading (`"reading"`),
+/// in a landing (`"in place"`), or on a thread of a long call (`"on a thread"`).
+#[pyfunction]
+pub fn fault(py: Python, place: &str) -> PyResult<()> {
+    let panic = || -> Result<(), Failure> { panic!("on purpose") };
+    match place {
+        "reading" => Ok(guarded(panic)?),
+        "in place" => interruptible::in_place(py, |_| panic().ok()),
+        _ => interruptible::run(py, None, move |_| panic()),
+    }
+}
 
 /// The module that Python imports.
 #[pyo3::pymodule]
 mod _engine {
     #[pymodule_export]
     const VERSION: &str = crate::VERSION;
-    #[pymodule_export]
-    use crate::boundary::boundary;
     #[pymodule_export]
     use crate::cases::land_many;
     #[pymodule_export]
@@ -45,9 +57,9 @@ mod _engine {
         toml,
     };
     #[pymodule_export]
-    use crate::fault::fault;
+    use crate::fault;
     #[pymodule_export]
     use crate::landing::{history, land, landing_columns};
     #[pymodule_export]
-    use crate::sweeps::Sweep;
+    use crate::sweeps::{Sweep, boundary};
 }

@@ -1,7 +1,6 @@
 //! `landing`: one landing with its history and drawing data.
 
 mod drawing;
-mod energies;
 mod events;
 mod history;
 
@@ -22,9 +21,8 @@ use super::touchdown::Touchdown;
 use crate::named::Named;
 
 use drawing::Drawing;
-use energies::Energies;
 use events::Event;
-use history::History;
+use history::{Energies, History};
 
 /// Default interval of instants, s, and greatest number of instants.
 pub const INTERVAL: f64 = 0.01;

@@ -3,14 +3,16 @@
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
+use touchdown_dynamics::batch::{self, land_many};
+use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::outcome::Class;
-use touchdown_dynamics::scene::Settings;
+use touchdown_dynamics::scene::{Scene, Settings};
+use touchdown_dynamics::vehicle::Vehicle;
 
 use super::IsOver;
 use super::classes::{ClassWords, class_named, class_words};
 use super::complaint::Complaint;
 use super::request::{Asked, read, within, written};
-use super::speeds::land_at;
 use super::touchdown::Touchdown;
 use crate::named::Named;
 
@@ -103,6 +105,41 @@ pub fn answer(named: &Named, request: &str, is_over: IsOver) -> Result<String, C
         bands: bands(&ended, range),
         is_done,
     })
+}
+
+/// Lands at all these speeds (ft/s), in lanes, which changes no bit.
+///
+/// # Errors
+/// If the answer is no longer wanted, or a speed is not allowed.
+fn land_at(
+    vehicle: &Arc<Vehicle>,
+    scene: &Scene,
+    settings: &Settings,
+    speeds: &[f64],
+    is_over: IsOver,
+) -> Result<Vec<Landing>, Complaint> {
+    let at = |speed: &f64| {
+        let moved = scene.with_horizontal_velocity(*speed);
+        moved.map_err(|invalid| Complaint::value("speed_fps", speed, &invalid.allowed))
+    };
+    let scenes = speeds.iter().map(at).collect::<Result<Vec<Scene>, _>>()?;
+    let mut landings: Vec<Option<Landing>> = vec![None; speeds.len()];
+    let mut next = 0;
+    land_many(
+        &mut || {
+            let scene = *scenes.get(next).filter(|_| !is_over())?;
+            next += 1;
+            Some(batch::Request {
+                key: next - 1,
+                vehicle: Arc::clone(vehicle),
+                scene,
+                settings: *settings,
+            })
+        },
+        &mut |key, landing| landings[key] = Some(landing),
+    );
+    let all: Option<Vec<Landing>> = landings.into_iter().collect();
+    all.ok_or_else(Complaint::over)
 }
 
 /// The range of a request, ft/s; defaults to that of the source.

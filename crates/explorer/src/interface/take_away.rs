@@ -1,4 +1,4 @@
-//! `scene_file`, `history_file` and `command`: export a landing for use elsewhere.
+//! `scene_file`, `history_file`, `command` and `table_file`: export a landing, or a table of results, for use elsewhere.
 
 use serde::Deserialize;
 use serde_json::json;
@@ -11,9 +11,13 @@ use touchdown_input::points::parameter::Home;
 use touchdown_sweep::output::history::History;
 
 use super::IsOver;
-use super::complaint::Complaint;
+use super::complaint::{Complaint, of_table};
+use super::computed::Computed;
+use super::in_units::in_units;
 use super::landing::{INTERVAL, interval};
-use super::request::{Asked, read, units, written};
+use super::map::table_of;
+use super::request::{Asked, asked_units, read, units, written};
+use super::rows::{Range, Rows};
 use super::touchdown::Touchdown;
 use crate::named::{Named, SourceKind};
 
@@ -195,4 +199,36 @@ fn quoted(word: &str) -> String {
         true => word.to_owned(),
         false => format!("'{}'", word.replace('\'', "'\\''")),
     }
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TableRequest {
+    results: Option<String>,
+    computed: Option<Computed>,
+    #[serde(default)]
+    within: Vec<Range>,
+    units: Option<String>,
+}
+
+/// A table of results as a file, or those of its rows that lie within ranges.
+pub fn table_file(named: &Named, request: &str) -> Result<String, Complaint> {
+    let request: TableRequest = read(request)?;
+    let units = asked_units(request.units.as_deref())?;
+    let table = table_of(named, request.results.as_deref(), request.computed.as_ref())?;
+    let results = in_units(&table, units)?;
+    let rows = Rows::read(&results)?;
+    let are_within = rows.within(&request.within)?;
+    let fault = |error: csv::Error| of_table(&results, error);
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(&rows.heading).map_err(fault)?;
+    for (row, _) in rows.rows.iter().zip(are_within).filter(|(_, is)| *is) {
+        writer.write_record(row).map_err(fault)?;
+    }
+    let bytes = writer.into_inner().map_err(Complaint::engine)?;
+    let name = match request.within.is_empty() {
+        true => format!("{}.csv", results.name),
+        false => format!("{}-selected.csv", results.name),
+    };
+    written(&json!({"files": [{"name": name, "text": String::from_utf8_lossy(&bytes)}]}))
 }

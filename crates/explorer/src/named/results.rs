@@ -5,7 +5,7 @@ use std::path::Path;
 use touchdown_input::documents::column_units::units_of_names;
 use touchdown_input::documents::input_error::InputError;
 
-use super::reading::Reading;
+use super::Reading;
 use super::record;
 use super::source::{Source, stem};
 

@@ -16,7 +16,7 @@ use touchdown_input::sweeps::scene_file::{self, SceneCase};
 use touchdown_input::sweeps::single_landing;
 use touchdown_input::sweeps::sweep_file::Sweep;
 
-use super::reading::Reading;
+use super::Reading;
 
 /// The table of solver settings in an input file.
 const SOLVER: &str = "solver";

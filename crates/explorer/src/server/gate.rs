@@ -1,12 +1,18 @@
-//! Access control: only requests with the token and from a page of this server pass.
+//! Access control: only requests with the token and from a page of this server pass. Tokens and nonces are random.
 
+use std::io;
 use std::net::{IpAddr, SocketAddr};
 
 use hyper::header::{HOST, HeaderMap, ORIGIN};
+use rand::TryRng;
+use rand::rngs::SysRng;
 
 /// Headers in which browsers state where a request comes from and what for.
 const FETCH_SITE: &str = "sec-fetch-site";
 const FETCH_DEST: &str = "sec-fetch-dest";
+
+/// Number of bytes of a token.
+const BYTES: usize = 16;
 
 /// Requirements on requests.
 #[derive(Debug)]
@@ -79,6 +85,18 @@ fn is_same(given: &str, token: &str) -> bool {
     let bytes = given.bytes().zip(token.bytes());
     let different = bytes.fold(0, |different, (a, b)| different | (a ^ b));
     given.len() == token.len() && different == 0
+}
+
+/// Unguessable digits for tokens and nonces, hexadecimal, from the random numbers of the system.
+///
+/// # Errors
+/// If the system provides none.
+pub fn random_digits() -> io::Result<String> {
+    let mut bytes = [0; BYTES];
+    SysRng
+        .try_fill_bytes(&mut bytes)
+        .map_err(io::Error::other)?;
+    Ok(bytes.iter().map(|byte| format!("{byte:02x}")).collect())
 }
 
 #[cfg(test)]

@@ -11,9 +11,8 @@ use tokio::time::timeout;
 
 use super::calls;
 use super::compressed;
-use super::gate::{self, Gate};
+use super::gate::{self, Gate, random_digits};
 use super::limits::{BODY_BYTES, BODY_TIME, Limits};
-use super::random::random_digits;
 use super::reply::{self, Reply};
 use crate::interface::Complaint;
 use crate::named::Named;
