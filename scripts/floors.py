@@ -64,7 +64,7 @@ FLOORS = {
         ["lib"],
         ["explore"],
         ["landings", "ask", "surface", "sweeps"],
-        ["pictures"],
+        ["plot"],
         ["import_deck", "new", "shell"],
         ["options"],
         ["terminal"],

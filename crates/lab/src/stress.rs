@@ -21,8 +21,7 @@ use touchdown_sweep::threads::run::Workers;
 
 use touchdown::finite;
 use touchdown::terminal::failure::Failure;
-use touchdown::terminal::interrupt;
-use touchdown::terminal::print::print;
+use touchdown::terminal::{interrupt, print};
 
 const EXAMPLES: &str = "\
 Examples:

@@ -26,7 +26,7 @@ use touchdown_sweep::output::file_writer::Folder;
 
 use results::Results;
 use touchdown::terminal::failure::Failure;
-use touchdown::terminal::print::print_paths;
+use touchdown::terminal::print_paths;
 
 const EXAMPLE: &str = "\
 Studies are in feet and pounds, the units of the report that they compare with.

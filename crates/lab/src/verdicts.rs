@@ -24,9 +24,8 @@ use touchdown_sweep::threads::run::Observer;
 use draw::{Choice, Draw, Stock};
 
 use touchdown::terminal::failure::Failure;
-use touchdown::terminal::interrupt;
-use touchdown::terminal::print::print;
 use touchdown::terminal::progress::Progress;
+use touchdown::terminal::{interrupt, print};
 
 const EXAMPLES: &str = "\
 Examples:

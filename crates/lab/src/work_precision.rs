@@ -15,7 +15,7 @@ use touchdown_sweep::output::file_writer::Folder;
 
 use landings::Landings;
 use touchdown::terminal::failure::Failure;
-use touchdown::terminal::print::{print, print_paths};
+use touchdown::terminal::{print, print_paths};
 use transitions::Transitions;
 
 /// Tolerance of the landings that all others are measured against.

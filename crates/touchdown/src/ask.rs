@@ -20,10 +20,10 @@ use touchdown_sweep::summary::probabilities::wilson;
 use touchdown_sweep::threads::run::Workers;
 
 use crate::failure::Failure;
-use crate::print::print;
+use crate::options::UnitsOption;
 use crate::report::degrees;
 use crate::summary::number;
-use crate::units::UnitsOption;
+use crate::terminal::print;
 
 const EXAMPLES: &str = "\
 Examples:

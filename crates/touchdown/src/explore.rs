@@ -14,13 +14,13 @@ use touchdown_explorer::named::Named;
 use touchdown_explorer::server::{LOOPBACK, Server, random_digits};
 use touchdown_input::documents::input_error::InputError;
 use touchdown_input::documents::library::Library;
+use touchdown_sweep::output::file_writer::Folder;
 use touchdown_sweep::output::output_guard::OutputGuard;
 
 use crate::failure::Failure;
-use crate::land_files::place_of;
-use crate::print::print;
+use crate::options::UnitsOption;
 use crate::summary;
-use crate::units::UnitsOption;
+use crate::terminal::print;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -125,7 +125,7 @@ fn export(options: &Options, named: &Named, file: &Path) -> Result<(), Failure> 
         overwrite: options.overwrite,
     };
     guard.check(file, |line| line.starts_with(PAGE))?;
-    let (folder, name) = place_of(file)?;
+    let (folder, name) = Folder::and_name(file)?;
     let page = export::page(named).map_err(Failure::running)?;
     let written = folder.write_files(&[(name, page.into_bytes())])?;
     print(&summary::written(&written))

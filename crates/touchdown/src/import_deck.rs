@@ -11,7 +11,7 @@ use touchdown_sweep::output::file_writer::Folder;
 use touchdown_sweep::output::output_guard::OutputGuard;
 
 use crate::failure::Failure;
-use crate::print::print_paths;
+use crate::terminal::print_paths;
 
 const EXAMPLE: &str = "\
 Writes, for each vehicle of the deck, STEM.toml and STEM-cases.csv (STEM-2.toml and so on for

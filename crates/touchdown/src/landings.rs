@@ -1,9 +1,7 @@
 //! The command `land`: one landing, scene files and tables of cases.
 
 pub mod cases;
-pub mod integration_report;
 pub mod land;
-pub mod land_files;
-pub mod land_while;
+pub mod observed;
 pub mod report;
 pub mod scene_cases;

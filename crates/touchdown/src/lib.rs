@@ -11,7 +11,7 @@
 //! | `main`, `lib` | the commands |
 //! | `explore` | the explorer |
 //! | `landings`, `sweeps`, `ask`, `surface` | `land`; `sweep` and `merge`; V_H at one place; the surface from impact times |
-//! | `pictures` | `plot` |
+//! | `plot` | pictures of result tables |
 //! | `import_deck`, `new`, `shell` | card decks, starting files, completions and manual page |
 //! | `options` | options that several commands share |
 //! | `terminal` | messages, progress, interruption, files that may be written |
@@ -22,7 +22,7 @@ mod import_deck;
 mod landings;
 mod new;
 mod options;
-mod pictures;
+mod plot;
 mod shell;
 mod surface;
 mod sweeps;
@@ -38,11 +38,10 @@ use touchdown_sweep::output::results::COMMIT;
 pub use options::touchdown_options::finite;
 
 use failure::Failure;
-use landings::{cases, integration_report, land, land_files, land_while, report, scene_cases};
-use options::{overrides, solver_options, touchdown_options, units};
-use pictures::plot;
-use sweeps::{axis_words, dry_run, estimate, merge, overview, sweep, sweep_files, sweep_results};
-use terminal::{failure, interrupt, print, progress, summary};
+use landings::{cases, land, observed, report, scene_cases};
+use options::{overrides, solver_options, touchdown_options};
+use sweeps::{axis_words, dry_run, estimate, merge, overview, sweep, sweep_results};
+use terminal::{failure, interrupt, progress, summary};
 
 /// How fast sideways may a legged lander touch down before it topples?
 ///

@@ -10,8 +10,8 @@ use touchdown_input::documents::input_error::InputError;
 use touchdown_input::documents::output_units::OutputUnits;
 
 use crate::failure::Failure;
-use crate::print::print;
-use crate::units::units;
+use crate::options::units;
+use crate::terminal::print;
 
 const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
 const SURVEYOR_SI: &str = include_str!("../../../sweeps/vehicles/surveyor-si.toml");

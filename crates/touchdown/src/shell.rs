@@ -5,7 +5,7 @@ use clap_complete::Shell;
 use touchdown_input::documents::input_error::InputError;
 
 use crate::failure::Failure;
-use crate::print::print;
+use crate::terminal::print;
 
 /// Options of `completions`.
 #[derive(Debug, Args)]

@@ -21,11 +21,11 @@ use touchdown_sweep::threads::run::Observer;
 
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::print::print;
+use crate::options::UnitsOption;
 use crate::progress::Progress;
 use crate::report::degrees;
+use crate::terminal::print;
 use crate::touchdown_options::{finite, triple};
-use crate::units::UnitsOption;
 
 /// Seed of the timing errors: the same command gives the same numbers.
 const SEED: u64 = 1966;

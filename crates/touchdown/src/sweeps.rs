@@ -6,5 +6,4 @@ pub mod estimate;
 pub mod merge;
 pub mod overview;
 pub mod sweep;
-pub mod sweep_files;
 pub mod sweep_results;

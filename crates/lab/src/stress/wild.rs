@@ -14,7 +14,7 @@ use super::case_table::{self, Reasons};
 use super::watchdog::Watchdog;
 use super::wild_sweep::WildSweep;
 use touchdown::terminal::failure::Failure;
-use touchdown::terminal::print::print;
+use touchdown::terminal::print;
 use touchdown::terminal::progress::Progress;
 use touchdown::terminal::summary;
 

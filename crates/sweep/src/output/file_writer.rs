@@ -45,6 +45,16 @@ impl Folder {
         }
     }
 
+    /// The folder and the name of a file to be written, checked as in [`Folder::of`].
+    ///
+    /// # Errors
+    /// As [`Folder::of`].
+    pub fn and_name(file: &Path) -> Result<(Self, String), InputError> {
+        let folder = Self::of(file)?;
+        let name = file.file_name().unwrap_or(file.as_os_str());
+        Ok((folder, name.to_string_lossy().into_owned()))
+    }
+
     /// Path of a file in this folder.
     pub fn path(&self, name: &str) -> PathBuf {
         self.path.join(name)

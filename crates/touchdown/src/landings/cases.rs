@@ -9,15 +9,15 @@ use touchdown_input::readers::vehicle_file::VehicleFile;
 use touchdown_input::sweeps::cases::{self, CaseTable};
 use touchdown_search::contact_warnings::ContactWarnings;
 use touchdown_sweep::journal::InOrder;
+use touchdown_sweep::output::file_writer::Folder;
 use touchdown_sweep::output::{case_results, warnings};
 use touchdown_sweep::summary::findings::Finding;
 use touchdown_sweep::threads::run::Workers;
 use touchdown_sweep::threads::runner::{Runner, Task};
 
 use crate::failure::Failure;
-use crate::land_files::place_of;
-use crate::print::print;
 use crate::progress::Progress;
+use crate::terminal::print;
 use crate::{interrupt, summary};
 
 /// Lands all cases and writes their results to `out`. Until then they are in a journal beside it, from which an
@@ -32,7 +32,7 @@ pub fn run(
     units: OutputUnits,
 ) -> Result<(), Failure> {
     let table = workers.within(|| cases::read(table, vehicle, settings))?;
-    let (folder, name) = place_of(out)?;
+    let (folder, name) = Folder::and_name(out)?;
     let cancel = interrupt::flag()?;
 
     let count = table.len();

@@ -13,19 +13,18 @@ use touchdown_input::points::assignment::{self, Assignment};
 use touchdown_input::points::parameter::Home;
 use touchdown_input::readers::vehicle_file::VehicleFile;
 use touchdown_sweep::output::case_results;
-use touchdown_sweep::output::file_writer::Draft;
+use touchdown_sweep::output::file_writer::{Draft, Folder};
 use touchdown_sweep::output::history::History;
 use touchdown_sweep::output::landing_report::{self, LandingReport};
 use touchdown_sweep::output::output_guard::OutputGuard;
 use touchdown_sweep::threads::run::Workers;
 
 use crate::failure::Failure;
-use crate::land_files::{ended, interval, is_history, place_of};
-use crate::land_while::Observed;
-use crate::print::print;
+use crate::observed::{Observed, ended, interval, is_history};
+use crate::options::UnitsOption;
 use crate::solver_options::SolverOptions;
+use crate::terminal::print;
 use crate::touchdown_options::{TouchdownOptions, finite};
-use crate::units::UnitsOption;
 use crate::{cases, interrupt, report, scene_cases};
 
 const USAGE: &str = "\
@@ -217,7 +216,12 @@ fn land_once(
         settings,
         interval,
     };
-    let (landing, integration) = match options.history.as_deref().map(place_of).transpose()? {
+    let (landing, integration) = match options
+        .history
+        .as_deref()
+        .map(Folder::and_name)
+        .transpose()?
+    {
         None => observed.land(&mut |_| {}, &AtomicBool::new(false))?,
         Some((folder, name)) => {
             let mut history = History::new(folder.draft(&name)?, units);

@@ -1,13 +1,13 @@
 //! The report of one landing as text.
 
 use touchdown_dynamics::landing::LegWork;
+use touchdown_dynamics::methods::{IntegrationSummary, variable_names};
 use touchdown_input::points::parameter::Home;
 use touchdown_input::readers::method_input::method_words;
 use touchdown_input::readers::settings_input::rules_in_words;
 use touchdown_sweep::output::landing_report::{LandingReport, verdict_time};
 use touchdown_sweep::output::landing_table::why;
 
-use crate::integration_report;
 use crate::summary::number;
 
 /// An angle (rad) in degrees to so many decimals, without the sign of what is zero but for rounding.
@@ -139,7 +139,37 @@ pub fn text(report: &LandingReport) -> String {
             rules_in_words(settings.rules(&report.vehicle.vehicle))
         ),
     );
-    lines.0 + &integration_report::text(report.integration, legs)
+    lines.0 + &account_of_integration(report.integration, legs)
+}
+
+/// The account of an integration, as the program of 1966 printed it at the end of a run (3.4.4.3); empty for a method that
+/// keeps none.
+fn account_of_integration(summary: &IntegrationSummary, legs: usize) -> String {
+    if summary.critical.is_empty() {
+        return String::new();
+    }
+    let mut text = format!(
+        "\nintervals                    {}, {:.8} s on average, {} accepted although not good enough\n",
+        summary.intervals,
+        summary.mean_interval(),
+        summary.bypassed
+    );
+    text += &counted("from 0.1, 0.01, 0.001 s ...", &summary.by_decade);
+    text += &counted("after 0, 1, 2 cuts ...", &summary.by_cuts);
+    text += "\nvariable                  critical     sum of errors   of absolute errors\n";
+    let names = variable_names(legs);
+    for (index, name) in names.iter().enumerate() {
+        text += &format!(
+            "{name:<24} {:>9} {:>17.7e} {:>20.7e}\n",
+            summary.critical[index], summary.arithmetic[index], summary.absolute[index]
+        );
+    }
+    text
+}
+
+fn counted(name: &str, counts: &[u64]) -> String {
+    let cells: String = counts.iter().map(|count| format!("{count:>7}")).collect();
+    format!("{name:<28}{cells}\n")
 }
 
 /// Lines of a name and what belongs to it.

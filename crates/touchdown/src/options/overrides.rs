@@ -13,8 +13,8 @@ use touchdown_input::readers::vehicle_file::VehicleFile;
 use touchdown_input::sweeps::overrides::Overrides;
 use touchdown_input::sweeps::sweep_file::Sweep;
 
+use crate::options::UnitsOption;
 use crate::solver_options::choice;
-use crate::units::UnitsOption;
 
 /// What replaces the values of the sweep files.
 #[derive(Debug, Args)]

@@ -13,10 +13,10 @@ use touchdown_sweep::output::results::Circumstances;
 use touchdown_sweep::output::{result_files, tables};
 
 use crate::failure::Failure;
-use crate::print::print;
+use crate::options::UnitsOption;
 use crate::summary;
 use crate::sweep_results::{self, Format};
-use crate::units::UnitsOption;
+use crate::terminal::print;
 
 const EXAMPLE: &str = "\
 Example:

@@ -2,7 +2,7 @@
 
 use std::num::NonZeroUsize;
 use std::panic::resume_unwind;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use std::thread::{self, ScopedJoinHandle};
 use std::time::Instant;
@@ -20,10 +20,10 @@ use touchdown_sweep::threads::runner::{self, Runner, Task};
 
 use crate::failure::Failure;
 use crate::overrides::OverrideOptions;
-use crate::print::print;
 use crate::progress::Progress;
 use crate::sweep_results::{self, Format, Written};
-use crate::{dry_run, interrupt, overview, summary, sweep_files};
+use crate::terminal::print;
+use crate::{dry_run, interrupt, overview, summary};
 
 const EXAMPLE: &str = "\
 Example:
@@ -91,9 +91,7 @@ pub struct Options {
 
 /// Runs `sweep`.
 pub fn run(options: &Options) -> Result<(), Failure> {
-    let sweeps = options
-        .overrides
-        .apply(sweep_files::read(&options.files)?)?;
+    let sweeps = options.overrides.apply(read_sweeps(&options.files)?)?;
     let shard = options.shard.unwrap_or(Shard::WHOLE);
     check_budgets(&sweeps, shard)?;
     if options.dry_run {
@@ -153,6 +151,58 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         [] | [_] => print(&told),
         lines => print(&overview::table(lines, wall_time, &options.out, units)),
     }
+}
+
+/// Reads all sweeps that a command line names, before anything is run.
+///
+/// # Errors
+/// When one of them cannot be used, or two would have results of the same name.
+fn read_sweeps(paths: &[PathBuf]) -> Result<Vec<Sweep>, InputError> {
+    let mut sweeps: Vec<Sweep> = Vec::with_capacity(paths.len());
+    for file in files(paths)? {
+        let sweep = Sweep::read(&file)?;
+        if let Some(other) = sweeps.iter().find(|other| other.stem() == sweep.stem()) {
+            let complaint = format!(
+                "has the same name as {}: expected names that differ, as results are named \
+                 after them",
+                other.path.display()
+            );
+            return Err(InputError::in_file(&file, complaint));
+        }
+        sweeps.push(sweep);
+    }
+    Ok(sweeps)
+}
+
+/// The paths with every folder replaced by the TOML files in it, in the order of their names;
+/// folders in it, such as that of the vehicles, are left alone.
+fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, InputError> {
+    let mut files = Vec::new();
+    for path in paths {
+        if path.is_dir() {
+            files.extend(sweep_files_in(path)?);
+        } else {
+            files.push(path.clone());
+        }
+    }
+    Ok(files)
+}
+
+fn sweep_files_in(folder: &Path) -> Result<Vec<PathBuf>, InputError> {
+    let unreadable = |error: std::io::Error| InputError::unreadable(folder, error);
+    let mut found = Vec::new();
+    for entry in folder.read_dir().map_err(unreadable)? {
+        let path = entry.map_err(unreadable)?.path();
+        if path.is_file() && path.extension().is_some_and(|ending| ending == "toml") {
+            found.push(path);
+        }
+    }
+    if found.is_empty() {
+        let complaint = "has no sweep files: expected at least one file *.toml";
+        return Err(InputError::in_file(folder, complaint));
+    }
+    found.sort();
+    Ok(found)
 }
 
 /// Checks that no shard has to know what others have spent.

@@ -13,7 +13,7 @@ use touchdown_input::documents::library::Library;
 use touchdown_sweep::output::file_writer::Folder;
 
 use crate::failure::Failure;
-use crate::print::print_paths;
+use crate::terminal::print_paths;
 
 const EXAMPLES: &str = "\
 Examples:

@@ -1,3 +1,0 @@
-//! The command `plot`.
-
-pub mod plot;
