@@ -1,4 +1,4 @@
-//! Columns of numbers and words for NumPy.
+//! Columns of numbers and words for NumPy, and what the catalogue says of those of results.
 
 use std::collections::HashMap;
 
@@ -6,6 +6,7 @@ use bytemuck::{NoUninit, cast_slice};
 use pyo3::prelude::*;
 use pyo3::types::{PyByteArray, PyDict, PyTuple};
 use touchdown_input::documents::column::{self, Cell, Kind};
+use touchdown_sweep::output::{bands_table, landing_table, results};
 
 /// A column of results.
 #[derive(Debug)]
@@ -115,6 +116,27 @@ fn value(py: Python<'_>, cell: Cell) -> PyResult<Option<Bound<'_, PyAny>>> {
         Cell::Count(count) => Some(count.into_pyobject(py)?.into_any()),
         Cell::Empty => None,
     })
+}
+
+/// A column of results: name of the attribute, name of the column with `#` for the number of a leg, what it says.
+type Described = (String, &'static str, &'static str);
+
+/// The columns of the results of a landing, of those that only its report has, of a boundary and of a band.
+#[pyfunction]
+pub fn columns() -> HashMap<&'static str, Vec<Described>> {
+    HashMap::from([
+        ("landing", described(&landing_table::COLUMNS)),
+        ("report", described(&landing_table::OF_REPORTS)),
+        ("boundary", described(&results::COLUMNS)),
+        ("band", described(&bands_table::COLUMNS)),
+    ])
+}
+
+fn described<R>(columns: &[column::Column<R>]) -> Vec<Described> {
+    let columns = columns.iter();
+    columns
+        .map(|column| (column.name_without_leg(), column.name(), column.about()))
+        .collect()
 }
 
 /// Numbers as bytes, from which NumPy makes an array without another copy.

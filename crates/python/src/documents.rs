@@ -6,6 +6,8 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat, PyInt, PyMapping, PySequence, PyString};
 use touchdown_dynamics::per_leg::MOST_LEGS;
+use touchdown_dynamics::quantities::CONDITIONS;
+use touchdown_dynamics::quantity::{IfMissing, Quantity};
 use touchdown_dynamics::scene::Settings;
 use touchdown_dynamics::vehicle;
 use touchdown_input::documents::document::{Document, Entry, Node, Value};
@@ -157,6 +159,23 @@ pub fn toml(values: &Bound<PyMapping>) -> PyResult<String> {
 #[pyfunction]
 pub fn program_name(name: &str) -> Option<String> {
     Parameter::named(name, MOST_LEGS).map(|parameter| parameter.program_name().to_owned())
+}
+
+/// Conditions of a touchdown: keys, and what the catalogue says of them.
+#[pyfunction]
+pub fn conditions() -> Vec<(&'static str, String)> {
+    let said = |quantity: &Quantity| {
+        let default = match quantity.if_missing {
+            IfMissing::Required => String::new(),
+            IfMissing::Number(number) => format!("; default {number}"),
+            IfMissing::Words(words) => format!("; default {words}"),
+        };
+        format!("{}; {}{default}", quantity.meaning, quantity.range)
+    };
+    let conditions = CONDITIONS.iter();
+    conditions
+        .map(|quantity| (quantity.key, said(quantity)))
+        .collect()
 }
 
 /// Splits a name into the name without unit, and the unit in words; "1" for pure numbers.

@@ -47,14 +47,6 @@ pub fn land<'py>(
     Ok((results(py, &landed)?, warning(&landed, units)))
 }
 
-/// Columns of tables of landings: names of attributes, and of the columns of legs with `#` for the number of a leg.
-#[pyfunction]
-pub fn landing_columns() -> Vec<(String, &'static str)> {
-    (landing_table::COLUMNS.iter())
-        .map(|column| (column.name_without_leg(), column.name()))
-        .collect()
-}
-
 /// Computes the history of a landing: columns by name, with an instant every `interval` seconds.
 #[pyfunction]
 pub fn history<'py>(

@@ -52,14 +52,16 @@ mod _engine {
     #[pymodule_export]
     use crate::cases::land_many;
     #[pymodule_export]
+    use crate::columns::columns;
+    #[pymodule_export]
     use crate::documents::{
-        Scene, Solver, Vehicle, bare_name_and_unit, in_units, own_vehicle, program_name, replaced,
-        toml,
+        Scene, Solver, Vehicle, bare_name_and_unit, conditions, in_units, own_vehicle,
+        program_name, replaced, toml,
     };
     #[pymodule_export]
     use crate::fault;
     #[pymodule_export]
-    use crate::landing::{history, land, landing_columns};
+    use crate::landing::{history, land};
     #[pymodule_export]
     use crate::sweeps::{Sweep, boundary};
 }

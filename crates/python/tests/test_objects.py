@@ -6,7 +6,7 @@ import dataclasses
 import pickle
 import re
 from importlib.metadata import version
-from inspect import signature
+from inspect import getdoc, signature
 from typing import Literal, get_args, get_origin, get_type_hints
 
 import numpy as np
@@ -197,6 +197,19 @@ def test_boundaries_come_in_si(lander, scene):
     assert pickle.loads(pickle.dumps(told)).units == "SI"
     with pytest.raises(td.InputError, match="US"):
         known.to_frame("metric")
+
+
+@pytest.mark.parametrize("kind", [td.Landing, td.Boundary, td.Band])
+def test_every_attribute_is_described_once(kind):
+    described = re.findall(r"^(\w+) : ", getdoc(kind), re.MULTILINE)
+    assert sorted(described) == sorted(field.name.removeprefix("_") for field in dataclasses.fields(kind))
+
+
+def test_attributes_are_described_in_the_words_of_the_catalogue():
+    assert "\nmax_stroke_ft : tuple[float, ...]\n    Greatest stroke of the strut.\n" in getdoc(td.Landing)
+    assert "How it ended; words (docs/guide.md#1-one-landing)." in getdoc(td.Landing)
+    assert "Of the transition at `to_fps`, as in transitions." in getdoc(td.Band)
+    assert "- ``slope_deg``: slope θ_s of the surface; -90 < value < 90\n" in getdoc(td.Scene)
 
 
 def test_units_are_chosen_once(lander, scene):

@@ -189,6 +189,11 @@ impl<R> Column<R> {
         self.name
     }
 
+    /// What it says, as a part of a sentence of the documents in Markdown.
+    pub fn about(&self) -> &'static str {
+        self.about
+    }
+
     /// Kind of its cells.
     pub fn kind(&self) -> Kind {
         match self.source {

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
+import textwrap
 from collections.abc import Mapping
 from dataclasses import Field
 from functools import cache
+from inspect import cleandoc
 from typing import Any, ClassVar, Literal
 
 from touchdown import _engine
@@ -86,13 +89,30 @@ def _names_by_si(names: tuple[str, ...]) -> dict[str, str]:
     return {si: name for si, name in in_si.items() if si != name}
 
 
+def _sentence(about: str) -> str:
+    """What the catalogue says of a column, without links of documents."""
+    text = re.sub(r"\[([^]]+)\]\(#[^)]*\)", r"\1", about)
+    text = re.sub(r"\[([^]]+)\]\(([^)]+)\)", r"\1 (docs/\2)", text)
+    indent = " " * 4
+    return textwrap.fill(f"{text[0].upper()}{text[1:]}.", 120, initial_indent=indent, subsequent_indent=indent, break_on_hyphens=False)
+
+
 class InBothUnits:
-    """What makes the fields of a dataclass attributes in SI too, under the names that results have there."""
+    """What makes the fields of a dataclass attributes in SI too, under the names that results have there.
+
+    Those that are columns of `tables` end the list of attributes in its docstring, in the words of the catalogue.
+    """
 
     __slots__ = ()
     __dataclass_fields__: ClassVar[dict[str, Field[Any]]]
 
     units: Units
+
+    def __init_subclass__(cls, tables: tuple[str, ...]) -> None:
+        columns = _engine.columns()
+        about = {name: said for table in tables for name, _, said in columns[table]}
+        told = [f"{name} : {kind}\n{_sentence(about[name])}" for name, kind in cls.__annotations__.items() if name in about]
+        cls.__doc__ = "\n".join([cleandoc(cls.__doc__ or ""), *told])
 
     def _units_or_own(self, units: Units | None) -> Units:
         return self.units if units is None else checked(units)

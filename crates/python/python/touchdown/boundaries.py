@@ -27,27 +27,13 @@ _AXIS = "cross_slope_deg"
 
 
 @dataclass(frozen=True, repr=False)
-class Band(InBothUnits):
+class Band(InBothUnits, tables=("band",)):
     """A range of horizontal velocities whose landings end alike.
 
-    Velocities are attributes in SI too, such as `to_mps`.
+    None stands for what is empty in tables. Velocities are attributes in SI too, such as `to_mps`.
 
     Attributes
     ----------
-    from_fps, to_fps : float
-        Its ends, ft/s.
-    outcome : str
-        How its landings end: ``"stable"``, ``"unstable"``, ``"bottomed"``, ``"failure"`` or ``"undecided"``.
-    kind : str
-        How the landing nearest to its middle ended, such as ``"stable-rockback"``.
-    bracket_width_fps : float or None
-        Width of the bracket at `to_fps`, ft/s; None at the end of the range.
-    certainty : str or None
-        Of the transition at `to_fps`: ``"certain"``, or ``"disputed"`` where small changes decide; None where it was not tested.
-    disputed_from_fps, disputed_to_fps : float or None
-        Between which velocities it is disputed, ft/s.
-    solver_tolerance : float or None
-        Tolerance at which both ends of the bracket were landed.
     units : {"US", "SI"}
         Units that it is told in.
     """
@@ -69,40 +55,15 @@ class Band(InBothUnits):
 
 
 @dataclass(frozen=True, repr=False)
-class Boundary(InBothUnits):
+class Boundary(InBothUnits, tables=("boundary",)):
     """Where landings cease to be stable as the horizontal velocity grows.
 
-    Velocities are attributes in SI too, such as `first_transition_mps`.
+    None stands for what is empty in tables. Velocities are attributes in SI too, such as `first_transition_mps`.
 
     Attributes
     ----------
-    first_transition_fps : float or None
-        The transition velocity V_H, ft/s: the middle of the bracket; None where all landings of the scan were stable. Where
-        the lowest velocity is not stable already it is that velocity, `certainty` is ``"at-or-below"`` and V_H may be lower.
-    first_transition_to : str
-        How landings end above it: ``"unstable"``, ``"bottomed"``, ``"failure"``, ``"undecided"``, or ``"none"``.
-    bracket_low_fps : float or None
-        Highest velocity below it that was landed and stable, ft/s; None where the lowest was not.
-    bracket_high_fps : float or None
-        Lowest velocity above it that was landed, ft/s.
-    certainty : str or None
-        ``"certain"``, ``"disputed"`` or None, as in `Band`; ``"at-or-below"`` where the lowest velocity is not stable already;
-        ``"above"`` without a transition.
-    disputed_from_fps, disputed_to_fps : float or None
-        Between which velocities it is disputed, ft/s.
-    solver_tolerance : float or None
-        Tolerance at which both ends of the bracket were landed.
-    stable_landings_below : int
-        Landings below it, all stable.
-    patchy_to_fps : float or None
-        Upper end of a patchy stretch, in which stable landings and others alternate from the transition on, ft/s; None where the
-        transition is sharp.
-    patchy_landings, patchy_not_stable : int
-        Landings at even parts of that stretch, and those of them that are not stable.
     bands : tuple of Band
         All bands of the range, from below; empty with ``bands = "first"``.
-    landings, derivative_evaluations : int
-        What it took.
     vehicle : Vehicle
         What lands.
     scene : Scene

@@ -33,51 +33,18 @@ _SHOWN = [
 
 
 @dataclass(frozen=True, repr=False)
-class Landing(InBothUnits):
+class Landing(InBothUnits, tables=("landing", "report")):
     """How one landing went.
 
-    Results of each leg are tuples, leg 1 first; None stands for what never happened. Units are part of the names. Results are
-    attributes in SI too, such as `min_clearance_m`, `max_strut_force_n` and `strut_work_j`.
+    Results of each leg are tuples, leg 1 first; None stands for what is empty in tables. Units are part of the names. Results
+    are attributes in SI too, such as `min_clearance_m`, `max_strut_force_n` and `strut_work_j`.
 
     Attributes
     ----------
-    outcome : str
-        How it ended, such as ``"stable-rockback"``, ``"unstable-pitch"``, ``"bottomed-leg-2"``.
     outcome_class : str
         ``"stable"``, ``"unstable"``, ``"bottomed"``, ``"undecided"`` or ``"failure"``.
     why : str
         The outcome in words.
-    end_time_s : float
-        When it ended, after first contact, s.
-    min_stability_angle_deg, min_stability_time_s : float
-        Least stability angle, deg, and when, s.
-    min_clearance_ft : float
-        Least height of a lower hardpoint over the surface, ft.
-    tilt_deg : float
-        Inclination of the centreline to the vertical at the end, deg.
-    initial_kinetic_energy_ftlb, potential_energy_change_ftlb, thrust_work_ftlb : float
-        Kinetic energy at first contact, potential energy released since, and work of the thrust, ft·lb.
-    final_kinetic_energy_ftlb : float
-        Kinetic energy at the end, ft·lb.
-    energy_closure_ftlb : float
-        What the account of energies does not explain, ft·lb; 0 but for integration error.
-    given_by_contact_ftlb : float
-        Energy that footpads, crush and friction together, and blocks gave to the motion, ft·lb, which no material does: they are too
-        stiff for the laws.
-    max_strut_force_lb, max_stroke_ft, max_stroke_share : tuple of float
-        Largest force, lb, and stroke, ft, of each strut, and the share of its whole stroke that this is.
-    max_sinkage_ft : tuple of float
-        Greatest sinkage of each footpad into soil, ft; 0 on rock.
-    pad_contact_s, block_contact_s : tuple of float or None
-        First contact of each footpad and body block, s.
-    strut_work_ftlb, pad_crush_work_ftlb, pad_friction_work_ftlb : tuple of float
-        Work done on each leg's elements, ft·lb.
-    block_crush_work_ftlb, block_friction_work_ftlb, stop_work_ftlb : tuple of float
-        The same of blocks and stops.
-    steps, derivative_evaluations, events : int
-        What it took to compute.
-    failure : str or None
-        Why it could not be computed to its end.
     verdict_time_s : float or None
         With ``stop = "time"``: when the outcome was decided, s.
     went_on_to : str or None
@@ -169,7 +136,7 @@ class Landing(InBothUnits):
             Units of the values, which are part of their names; without, `units` of the landing.
         """
         row: dict[str, Any] = {}
-        for name, column in _engine.landing_columns():
+        for name, column, _ in _engine.columns()["landing"]:
             value = getattr(self, name)
             if "#" in column:
                 legs = {column.replace("#", str(leg)): of_leg for leg, of_leg in enumerate(value, 1)}

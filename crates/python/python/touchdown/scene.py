@@ -29,17 +29,10 @@ class Scene(NeverChanges):
     Parameters
     ----------
     **conditions
-        The keys of a table ``[scene]``:
+        The keys of a table ``[scene]``; the attitude in one of its two forms:
 
-        - ``vertical_velocity_fps``, ``horizontal_velocity_fps``: velocities of the CG, ft/s, both ≥ 0
-        - ``cross_slope_deg``: direction of the horizontal velocity; 180 is straight downhill, 0 uphill
-        - ``slope_deg``: slope of the surface, −90 < value < 90
-        - ``friction``: coefficient between footpads and surface
-        - ``block_friction``: the same under the body blocks; default ``friction``
-        - ``pitch_deg``, ``yaw_deg``, ``roll_deg``: attitude; default 0. Or in tip form: ``tip_deg``, ``tip_azimuth_deg``,
-          ``nominal_roll_deg``
-        - ``angular_velocity_x_dps``, ``…_y_dps``, ``…_z_dps``: rates of turn, deg/s; default 0
-        - ``gravity_fps2``, or ``gravity``: "moon", "mars", "earth" or "ceres"; default that of the vehicle
+        {conditions}
+        - ``gravity``: "moon", "mars", "earth" or "ceres" in place of ``gravity_fps2``
         - ``thrust``: dictionary with ``time_s`` and ``force_lb``, and optional ``scale``, ``offset_x_ft``, ``offset_y_ft``
         - ``footing``: a dictionary for each leg, with ``height_ft``, ``tilt_along_deg``, ``tilt_across_deg``, ``block_…``,
           ``bearing_factor``
@@ -140,6 +133,11 @@ class Scene(NeverChanges):
 
     def _repr_html_(self) -> str:
         return table("Scene", self._given.items())
+
+
+Scene.__doc__ = (Scene.__doc__ or "").replace(
+    "{conditions}", "\n        ".join(f"- ``{key}``: {about}" for key, about in _engine.conditions())
+)
 
 
 def checked(scene: Any) -> Scene:
