@@ -11,7 +11,6 @@ pub mod key_path;
 pub mod library;
 pub mod output_units;
 pub(crate) mod section;
-pub(crate) mod source;
 pub(crate) mod spelling;
 pub mod toml_text;
 pub mod unit;

@@ -11,7 +11,7 @@ use toml::de::{DeTable, DeValue};
 
 use crate::documents::input_error::{InputError, Place};
 use crate::documents::key_path::KeyPath;
-use crate::documents::source::Source;
+use crate::documents::library::{Library, Source};
 use crate::documents::spelling::{Conversion, conversion};
 
 /// A file and its content.
@@ -58,6 +58,14 @@ pub enum Value {
 }
 
 impl Document {
+    /// Reads a TOML file of a library.
+    ///
+    /// # Errors
+    /// If it cannot be read, is not TOML, or holds a number that is not finite.
+    pub fn read_from(path: &Path, library: Library) -> Result<Self, InputError> {
+        Self::parse(path, &library.text(path)?)
+    }
+
     /// Parses `text` as the content of the file `path`.
     ///
     /// # Errors

@@ -1,13 +1,21 @@
-//! Source of the text of input files: the disk, or a stored copy.
+//! Input files as texts: the disk that has them, or stored copies.
 
 use std::fmt::Display;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-pub use crate::documents::source::Source;
+use serde::{Deserialize, Serialize};
 
-use crate::documents::document::Document;
 use crate::documents::input_error::InputError;
+
+/// A file, verbatim.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Source {
+    /// Path, as given or as named in another file.
+    pub path: PathBuf,
+    /// Text.
+    pub text: String,
+}
 
 /// Source of files.
 #[derive(Debug, Clone, Copy)]
@@ -49,13 +57,5 @@ impl Library<'_> {
                 None => Err(refuse(&"the journal holds no copy of it")),
             },
         }
-    }
-
-    /// Reads a TOML file.
-    ///
-    /// # Errors
-    /// If it cannot be read, is not TOML, or holds a number that is not finite.
-    pub fn document(self, path: &Path) -> Result<Document, InputError> {
-        Document::parse(path, &self.text(path)?)
     }
 }

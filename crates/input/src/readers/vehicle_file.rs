@@ -195,7 +195,7 @@ impl VehicleFile {
     /// # Errors
     /// As [`VehicleFile::read`].
     pub fn read_from(path: &Path, library: Library) -> Result<Self, InputError> {
-        Self::from_document(library.document(path)?)
+        Self::from_document(Document::read_from(path, library)?)
     }
 
     /// Builds the vehicle of a document.

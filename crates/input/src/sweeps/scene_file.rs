@@ -66,7 +66,7 @@ pub fn read(path: &Path) -> Result<SceneFile, InputError> {
 /// # Errors
 /// As [`read`].
 pub fn read_from(path: &Path, library: Library) -> Result<SceneFile, InputError> {
-    let document = library.document(path)?;
+    let document = Document::read_from(path, library)?;
     let root = Section::root(&document, &SCENE_FILE)?;
     if let Some(title) = root.optional("title") {
         title.text()?;

@@ -8,8 +8,8 @@ use touchdown_search::search_range::Search;
 
 use crate::documents::column::{Cell, Heading};
 use crate::documents::document::Document;
+use crate::documents::library::Source;
 use crate::documents::output_units::{OutputUnits, UNITS};
-use crate::documents::source::Source;
 use crate::points::design::Design;
 use crate::points::parameter::Parameter;
 use crate::points::refined_grid::RefinedGrid;

@@ -41,7 +41,7 @@ impl Sweep {
     /// # Errors
     /// As [`Sweep::read`].
     pub fn read_from(path: &Path, library: Library) -> Result<Self, InputError> {
-        let document = library.document(path)?;
+        let document = Document::read_from(path, library)?;
         let root = Section::root(&document, &SWEEP)?;
         let title = match root.optional("title") {
             Some(found) => found.text()?.to_owned(),
@@ -155,7 +155,7 @@ pub(crate) fn named_vehicle(
     if let Some(refusal) = library.refusal(&file) {
         return Err(found.complain_that(&format!("{refusal}: expected {VEHICLE}")));
     }
-    library.document(&file)
+    Document::read_from(&file, library)
 }
 
 /// Word of a job.
