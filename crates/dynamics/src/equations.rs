@@ -1,5 +1,6 @@
 //! The equations of motion and the derivatives of their forces.
 
+pub mod body_factors;
 pub mod kinematics;
 pub mod motion;
 pub mod response;

@@ -33,6 +33,7 @@ Examples:
   touchdown-lab verdicts --landings 500          # a short run
   touchdown-lab verdicts --landing 1234          # one of them, in full
   touchdown-lab verdicts --soil --out soil       # the same landings on soil
+  touchdown-lab verdicts --static-friction --out static   # with feet that stick where they would slide
   touchdown-lab verdicts --three-struts --landings 1000 --out three-struts   # tripods and cantilevers
   touchdown-lab verdicts --small-changes 10000   # whether a millimetre or a gram changes an outcome
 
@@ -92,6 +93,9 @@ pub struct Options {
     /// Land on soil of 5 to 200 kPa at 5 cm in place of rock
     #[arg(long)]
     soil: bool,
+    /// Draw sliding friction from 0.05 to 0.5, and static friction of up to five times as much
+    #[arg(long)]
+    static_friction: bool,
     /// Land on tripods and cantilevers in place of hinged legs
     #[arg(long, conflicts_with = "small_changes")]
     three_struts: bool,
@@ -247,6 +251,7 @@ fn contradiction(verdict: &Outcome, landing: &Landing, drift: f64) -> Option<&'s
 pub fn run(options: &Options) -> Result<(), Failure> {
     let stock = Stock::read(Choice {
         on_soil: options.soil,
+        with_static_friction: options.static_friction,
         on_three_struts: options.three_struts,
     })?;
     if let Some(number) = options.landing {

@@ -224,7 +224,8 @@ impl Rest {
         let acceleration = force / landing.mass();
         let downhill: Vector2<f64> = supports.iter().map(|support| support.gradient).sum();
         let friction = supports.iter().map(|support| {
-            let sticks = self.static_ratio > 1.0 && landing.sticks(support);
+            let is_down = support.fall == 0.0;
+            let sticks = self.static_ratio > 1.0 && is_down && landing.sticks(support);
             let ratio = if sticks { self.static_ratio } else { 1.0 };
             self.friction_under(support) * ratio
         });

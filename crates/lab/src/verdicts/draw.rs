@@ -65,6 +65,8 @@ pub struct Stock {
 pub struct Choice {
     /// On soil in place of rock, all else the same.
     pub on_soil: bool,
+    /// With less friction, of which static friction is a multiple.
+    pub with_static_friction: bool,
     /// On legs of three struts in place of hinged ones.
     pub on_three_struts: bool,
 }
@@ -150,7 +152,7 @@ impl Stock {
             _ => self.wild(random)?,
         };
         let gravity = PLACES[place].1;
-        let scene = Scene::new(Conditions {
+        let conditions = Conditions {
             vertical_velocity: random.between(0.0, HIGHEST),
             horizontal_velocity: random.between(0.0, HIGHEST),
             cross_slope: random.between(0.0, TAU),
@@ -171,7 +173,17 @@ impl Stock {
                 true => soil(random)?,
                 false => Soil::Rock,
             },
-        })?;
+        };
+        let conditions = match self.choice.with_static_friction {
+            true => Conditions {
+                pad_friction: random.between(0.05, 0.5),
+                block_friction: random.between(0.05, 0.5),
+                static_friction_ratio: Some(random.between(1.0, 5.0)),
+                ..conditions
+            },
+            false => conditions,
+        };
+        let scene = Scene::new(conditions)?;
         Ok(Draw {
             number,
             vehicle: Arc::new(vehicle),

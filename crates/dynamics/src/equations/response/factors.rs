@@ -4,6 +4,7 @@
 use nalgebra::{Matrix6, Vector6};
 
 use super::{LegResponse, Response, none};
+use crate::equations::body_factors::BodyFactors;
 use crate::per_leg::PerLeg;
 use crate::scalar::Real;
 
@@ -11,8 +12,7 @@ use crate::scalar::Real;
 #[derive(Debug, Clone, Copy)]
 pub struct Factors<S> {
     pub(super) tau: S,
-    /// L and U of the equations of the body.
-    pub(super) body: Matrix6<S>,
+    pub(super) body: BodyFactors<S>,
     pub(super) legs: PerLeg<Eliminated<S>>,
 }
 
@@ -22,7 +22,7 @@ impl<S: Real> Factors<S> {
         let zero = S::zero();
         Self {
             tau: zero,
-            body: Matrix6::from([[zero; 6]; 6]),
+            body: BodyFactors::none(),
             legs: PerLeg::same(
                 legs,
                 Eliminated {
@@ -54,23 +54,8 @@ impl<S: Real> Factors<S> {
                 }
             }
         }
-        // L U in place, with ones on the diagonal of L and the inverse of that of U.
-        for pivot in 0..6 {
-            let inverse = S::one() / matrix[(pivot, pivot)];
-            matrix[(pivot, pivot)] = inverse;
-            for row in pivot + 1..6 {
-                matrix[(row, pivot)] *= inverse;
-            }
-            for column in pivot + 1..6 {
-                let above = matrix[(pivot, column)];
-                for row in pivot + 1..6 {
-                    let product = matrix[(row, pivot)] * above;
-                    matrix[(row, column)] -= product;
-                }
-            }
-        }
         self.tau = tau;
-        self.body = matrix;
+        self.body = BodyFactors::of(matrix);
     }
 }
 

@@ -60,20 +60,7 @@ impl<S: Real> StageEquations<S, State<S>> for System<'_, S> {
             }
         }
         body *= tau;
-        let f = &self.factors.body;
-        for column in 0..5 {
-            for row in column + 1..6 {
-                let product = f[(row, column)] * body[column];
-                body[row] -= product;
-            }
-        }
-        for column in (0..6).rev() {
-            body[column] *= f[(column, column)];
-            for row in 0..column {
-                let product = f[(row, column)] * body[column];
-                body[row] -= product;
-            }
-        }
+        self.factors.body.solve(&mut body);
         let velocity = times(&response.rotation, &Vector3::new(body[0], body[1], body[2]));
         let rate = Vector3::new(body[3], body[4], body[5]);
         let turning = quaternion_rate(&response.quaternion, &rate);

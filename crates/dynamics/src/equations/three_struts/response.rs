@@ -3,13 +3,14 @@
 //! Struts and ground act on feet, and the body feels a foot only through its struts. Eliminating each foot leaves six
 //! equations of the body. They are written in vehicle axes: translation and rotation of the body, translation of each foot.
 
-use nalgebra::{LU, Matrix3, Matrix6, U6, Vector3, Vector6};
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use num_traits::{One, Zero};
 
 use super::leg::{Leg, LegAction, SeenBody, push, secondary_push};
 use super::motion::{Motion, Pieces};
 use super::state::{FootState, State};
 use super::struts::Reach;
+use crate::equations::body_factors::BodyFactors;
 use crate::integrator::rosenbrock::StageEquations;
 use crate::laws::three_struts::{LegPieces, STRUTS};
 use crate::products::{cross_matrix, inverse, outer, product, times, transposed_times};
@@ -58,7 +59,7 @@ struct LegResponse {
 pub struct StageFactors<'a> {
     response: &'a Response,
     tau: f64,
-    body: LU<f64, U6, U6>,
+    body: BodyFactors<f64>,
     quads: Quads<Eliminated>,
 }
 
@@ -208,7 +209,7 @@ impl Response {
         StageFactors {
             response: self,
             tau,
-            body: matrix.lu(),
+            body: BodyFactors::of(matrix),
             quads,
         }
     }
@@ -294,8 +295,8 @@ impl StageEquations<f64, State> for StageFactors<'_> {
             torque += vector_sum(&(twist + times(on_torque, &moved)), legs);
             rights.push(own);
         }
-        let right = Vector6::new(force.x, force.y, force.z, torque.x, torque.y, torque.z) * tau;
-        let body = (self.body.solve(&right)).unwrap_or_else(|| Vector6::repeat(f64::NAN));
+        let mut body = Vector6::new(force.x, force.y, force.z, torque.x, torque.y, torque.z) * tau;
+        self.body.solve(&mut body);
         let local = Vector3::new(body[0], body[1], body[2]);
         let rate = Vector3::new(body[3], body[4], body[5]);
         let velocity = times(frame, &local);

@@ -1,5 +1,7 @@
 //! The integrated state: rigid body, feet, and the work done on the elements of the legs.
 
+use std::ops::Range;
+
 use nalgebra::{Vector3, Vector4};
 
 use crate::integrator::step::StateVector;
@@ -13,6 +15,8 @@ const BODY: usize = 16;
 const FEET: usize = 6 * LANES;
 /// Works on a leg: struts, crush of the footpad, its friction.
 pub const WORKS: usize = 3;
+/// What an error of a foot's velocity counts beside one of the body: feet are light, and struts make them follow the body.
+const FOOT_RATE_SHARE: f64 = 0.05;
 /// Error of Simpson's rule as a share of its difference from the midpoint rule ([`crate::state`]).
 const SIMPSON_SHARE: f64 = 0.1;
 
@@ -220,7 +224,8 @@ impl StateVector<f64> for State {
         }
     }
 
-    /// The motion is weighed by its own magnitude or one, whichever is greater, as that of a vehicle on hinged legs.
+    /// The motion is weighed by its own magnitude or one, whichever is greater, as that of a vehicle on hinged legs. Velocities
+    /// of feet count [`FOOT_RATE_SHARE`].
     #[inline(always)]
     fn greatest_error<const TERMS: usize>(
         weights: [f64; TERMS],
@@ -228,14 +233,24 @@ impl StateVector<f64> for State {
         before: &Self,
         after: &Self,
     ) -> [f64; 2] {
-        let mut greatest: f64 = 0.0;
         // A maximum drops NaN, a sum keeps it.
         let mut all = 0.0;
-        for i in 0..before.motion_numbers() {
-            let error: f64 = (0..TERMS).map(|k| weights[k] * slopes[k].motion[i]).sum();
-            let weight = before.motion[i].abs().max(after.motion[i].abs()).max(1.0);
-            greatest = greatest.max(error.abs() / weight);
-            all += error;
+        let mut greatest_of = |numbers: Range<usize>| {
+            let mut greatest: f64 = 0.0;
+            for i in numbers {
+                let error: f64 = (0..TERMS).map(|k| weights[k] * slopes[k].motion[i]).sum();
+                let weight = before.motion[i].abs().max(after.motion[i].abs()).max(1.0);
+                greatest = greatest.max(error.abs() / weight);
+                all += error;
+            }
+            greatest
+        };
+        let mut greatest = greatest_of(0..BODY);
+        for quad in 0..quads(before.legs) {
+            let feet = BODY + FEET * quad;
+            let (positions, end) = (feet + FEET / 2, feet + FEET);
+            greatest = greatest.max(greatest_of(feet..positions));
+            greatest = greatest.max(FOOT_RATE_SHARE * greatest_of(positions..end));
         }
         let mut work: f64 = 0.0;
         for i in 0..before.work_numbers() {
