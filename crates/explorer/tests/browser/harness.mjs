@@ -72,12 +72,14 @@ export async function start(...more) {
      * Opens the page, and waits for the landing.
      * @param {string} [hash]
      * @param {import("playwright-core").BrowserContextOptions} [options]
+     * @param {() => void} [script] what runs before the page
      */
-    async open(hash = "", options = {}) {
+    async open(hash = "", options = {}, script = () => {}) {
       // Landings do not play by themselves, so that pictures can be compared.
       const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, reducedMotion: "reduce", ...options });
       const page = await context.newPage();
       gather(page, complaints);
+      await page.addInitScript(script);
       await page.goto(address + hash);
       await page.waitForSelector(".landing-tab .outcome[data-class]", { state: "attached" });
       await calm(page);
