@@ -113,7 +113,7 @@ pub enum FrictionProfile {
 }
 
 impl FrictionProfile {
-    /// Greatest friction near rest as a multiple of μ0, at the end of viscous friction: 1.21 − 0.2 S.
+    /// Greatest friction near rest as a multiple of μ0, where viscous friction ends: 1.21 − 0.2 S, 1.2 in profile C.
     pub const STATIC_RATIO: f64 = 1.2;
 
     /// Sliding speed up to which friction is viscous, ft/s.

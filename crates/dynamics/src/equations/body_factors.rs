@@ -4,8 +4,8 @@ use nalgebra::{Matrix6, Vector6};
 
 use crate::scalar::Real;
 
-/// L and U in place, with ones on the diagonal of L and the inverse of that of U. Mass and inertia dominate the diagonal: rows
-/// keep their order.
+/// L and U in place, with ones on the diagonal of L and the inverse of that of U. Rows keep their order, as mass, inertia and what
+/// resists motion stand on the diagonal; should a pivot vanish, numbers are not finite, and the step is refused.
 #[derive(Debug, Clone, Copy)]
 pub struct BodyFactors<S>(Matrix6<S>);
 

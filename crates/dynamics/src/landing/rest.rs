@@ -59,6 +59,13 @@ pub(super) struct Support {
     gradient: Vector2<f64>,
 }
 
+impl Support {
+    /// Returns whether it is on its ground.
+    fn is_down(&self) -> bool {
+        self.fall <= 0.0
+    }
+}
+
 /// Supports of a vehicle.
 pub(super) type Supports = ArrayVec<Support, MOST_SUPPORTS>;
 
@@ -90,7 +97,7 @@ pub(super) trait Standing {
     fn pull_at_rest(&self) -> Option<Pull>;
     /// All feet and blocks that can bear.
     fn supports(&self, pull: &Pull) -> Supports;
-    /// Returns whether a support sticks to its ground.
+    /// Returns whether a support on its ground sticks to it.
     fn sticks(&self, support: &Support) -> bool;
     /// Returns whether a support holds under loads up to `load` (lb): no element crushes faster than `creep` (ft/s) under less
     /// than that, nor beyond its limit.
@@ -206,7 +213,7 @@ impl Rest {
                 && (supports[..count].iter().enumerate()).all(|(index, support)| {
                     let load = pull.force * hull.greatest_share(index);
                     let may_slide = support.gradient.norm() > self.friction_under(support);
-                    (!may_slide || landing.sticks(support))
+                    (!may_slide || !support.is_down() || landing.sticks(support))
                         && landing.bears(support, load, self.creep)
                 })
         })
@@ -224,8 +231,8 @@ impl Rest {
         let acceleration = force / landing.mass();
         let downhill: Vector2<f64> = supports.iter().map(|support| support.gradient).sum();
         let friction = supports.iter().map(|support| {
-            let is_down = support.fall == 0.0;
-            let sticks = self.static_ratio > 1.0 && is_down && landing.sticks(support);
+            let counts = self.static_ratio > 1.0 && support.is_down();
+            let sticks = counts && landing.sticks(support);
             let ratio = if sticks { self.static_ratio } else { 1.0 };
             self.friction_under(support) * ratio
         });
@@ -321,7 +328,7 @@ impl Standing for Trajectory<'_> {
             Signal::BlockSliding
         };
         let speed_squared = self.signals.start().of(support.leg, sliding);
-        support.fall > 0.0 || self.laws[support.leg].friction().is_viscous(speed_squared)
+        self.laws[support.leg].friction().is_viscous(speed_squared)
     }
 
     /// An element that crushes under more than its share of the weight comes to rest by that.
@@ -342,5 +349,92 @@ impl Standing for Trajectory<'_> {
         let gives_way =
             mode.strut_crushes(creep, signals) && signals[Signal::StrutForce as usize] < force;
         !gives_way && mode.strut_bears(laws, force)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A vehicle of 10 slug on four feet, 5 ft apart from the CG each way and 4 ft below it, that moves down a slope at 1 ft/s.
+    struct OnASlope {
+        gradient: f64,
+        fall: f64,
+        sticks: bool,
+    }
+
+    impl Standing for OnASlope {
+        fn time(&self) -> f64 {
+            0.0
+        }
+
+        fn mass(&self) -> f64 {
+            10.0
+        }
+
+        fn kinetic_energy(&self) -> f64 {
+            5.0
+        }
+
+        fn velocity(&self) -> Vector3<f64> {
+            Vector3::x()
+        }
+
+        fn farthest_foot(&self) -> f64 {
+            8.0
+        }
+
+        fn pull_at_rest(&self) -> Option<Pull> {
+            Some(Pull::of_weight(100.0))
+        }
+
+        fn supports(&self, _: &Pull) -> Supports {
+            let places = [[5.0, 5.0], [-5.0, 5.0], [-5.0, -5.0], [5.0, -5.0]];
+            let support = |(leg, [x, y]): (usize, [f64; 2])| Support {
+                leg,
+                is_foot: true,
+                place: Vector3::new(x, y, 4.0),
+                fall: self.fall,
+                gradient: Vector2::new(self.gradient, 0.0),
+            };
+            places.into_iter().enumerate().map(support).collect()
+        }
+
+        fn sticks(&self, _: &Support) -> bool {
+            self.sticks
+        }
+
+        fn bears(&self, _: &Support, _: f64, _: f64) -> bool {
+            true
+        }
+    }
+
+    fn holds(landing: &OnASlope, static_ratio: f64) -> bool {
+        let rest = Rest {
+            height: 4.0,
+            creep: 0.0,
+            friction: [0.3; 2],
+            static_ratio,
+            since: None,
+        };
+        rest.holds(landing, &Pull::of_weight(100.0))
+    }
+
+    #[test]
+    fn static_friction_counts_for_feet_that_stick_to_the_ground() {
+        let on = |gradient, fall, sticks| OnASlope {
+            gradient,
+            fall,
+            sticks,
+        };
+        // Sliding friction stops it on ground that is flat enough, whatever its feet do.
+        assert!(holds(&on(0.1, 0.0, false), 1.0) && holds(&on(0.1, 0.01, false), 3.0));
+        // On steep ground only what sticks is held, up to its static friction.
+        assert!(holds(&on(0.5, 0.0, true), 3.0));
+        assert!(!holds(&on(0.5, 0.0, true), 1.5));
+        assert!(!holds(&on(0.5, 0.0, false), 3.0));
+        assert!(!holds(&on(0.5, 0.0, true), 1.0));
+        // A foot above its ground does not stick yet.
+        assert!(!holds(&on(0.5, 0.01, true), 3.0));
     }
 }

@@ -189,7 +189,7 @@ impl<R> Column<R> {
         self.name
     }
 
-    /// What it says, as a part of a sentence of the documents in Markdown.
+    /// Meaning, as a part of a sentence of the documents in Markdown.
     pub fn about(&self) -> &'static str {
         self.about
     }

@@ -1,4 +1,5 @@
-//! What refinement knows of a point: over two axes its first transition and number of bands, over one all its bands over V_H.
+//! Heights of a map at a point, which refinement compares: over two axes its first transition and number of bands, over one all
+//! its bands over V_H.
 
 use touchdown_dynamics::outcome::Class;
 use touchdown_search::boundary::Boundary;

@@ -28,7 +28,7 @@ pub fn interval(seconds: f64, time_limit: f64) -> Result<f64, InputError> {
     }
 }
 
-/// Whether a file that begins with this line is a history.
+/// Returns whether a file that begins with this line is a history.
 pub fn is_history(line: &str) -> bool {
     line.starts_with("t_s,")
 }

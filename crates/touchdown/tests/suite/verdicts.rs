@@ -181,6 +181,15 @@ fn static_friction_holds_a_vehicle_that_has_not_begun_to_slide() {
     }
 }
 
+/// Sliding friction hardly exceeds the slope: a vehicle that slides downhill has not stopped at the time limit.
+#[test]
+fn static_friction_holds_no_vehicle_that_slides() {
+    let cases = "static_friction_ratio = 3.86\n[[case]]\nhorizontal_velocity_mps = 1\n[[case]]\nhorizontal_velocity_mps = 2\n";
+    for told in land(&four_legs(1.0, 14.85, 0.2661, cases)) {
+        assert_eq!(told.outcome, "time-expired", "{told:?}");
+    }
+}
+
 #[test]
 fn damping_of_hinges_acts_at_the_face_and_is_refused_at_the_pivot() {
     let cases = "[[case]]\n[[case]]\nvehicle.footpad.hinge_damping_ftlb_s = 2\n\

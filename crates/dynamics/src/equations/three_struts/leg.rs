@@ -205,7 +205,7 @@ pub(super) fn push<S: Real>(reaches: &[Reach<S>; STRUTS], loads: &[S; STRUTS]) -
     push
 }
 
-/// The same of the secondary struts alone.
+/// Force of the secondary struts alone on the foot.
 #[inline(always)]
 pub(super) fn secondary_push<S: Real>(
     reaches: &[Reach<S>; STRUTS],

@@ -15,7 +15,7 @@ const BODY: usize = 16;
 const FEET: usize = 6 * LANES;
 /// Works on a leg: struts, crush of the footpad, its friction.
 pub const WORKS: usize = 3;
-/// What an error of a foot's velocity counts beside one of the body: feet are light, and struts make them follow the body.
+/// Weight of an error of a foot's velocity beside one of the body: feet are light, and struts make them follow the body.
 const FOOT_RATE_SHARE: f64 = 0.05;
 /// Error of Simpson's rule as a share of its difference from the midpoint rule ([`crate::state`]).
 const SIMPSON_SHARE: f64 = 0.1;

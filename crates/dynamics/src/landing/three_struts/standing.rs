@@ -55,7 +55,7 @@ impl Standing for Simulation<'_> {
 
     fn sticks(&self, support: &Support) -> bool {
         let speed_squared = self.signals[0].of(support.leg, SLIDING);
-        support.fall > 0.0 || self.laws[support.leg].friction().is_viscous(speed_squared)
+        self.laws[support.leg].friction().is_viscous(speed_squared)
     }
 
     fn bears(&self, support: &Support, load: f64, creep: f64) -> bool {
