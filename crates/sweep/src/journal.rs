@@ -35,6 +35,11 @@ use head::{Head, ensure_head};
 use scan::{Piece, Scan};
 use writer::Writer;
 
+/// Place, beside that of its journal, where a finished sample keeps it for a greater one.
+pub fn kept(journal: &Path) -> PathBuf {
+    journal.with_extension("journal.kept")
+}
+
 /// A journal open for adding points; meanwhile no other process can open it.
 #[derive(Debug)]
 pub struct Journal {
@@ -56,6 +61,51 @@ pub struct Opened {
 }
 
 impl Opened {
+    /// Adds the points of the same sample with fewer points from its kept journal, if there is one; returns how many.
+    /// Damaged records, and a journal of other input or another program, are left out with a warning.
+    ///
+    /// # Errors
+    /// Errors of the file system; points already added stay valid.
+    pub(crate) fn take_over(&mut self, header: &Header) -> Result<usize, JournalError> {
+        let path = kept(&self.journal.path);
+        if !path.is_file() {
+            return Ok(0);
+        }
+        let mut leave = |why: &str| {
+            let warning = format!("{}: is not used, as {why}", path.display());
+            self.warnings.push(warning);
+            Ok(0)
+        };
+        let (_, smaller) = match Records::open(&path, Access::Shared) {
+            Err(JournalError::NoHeader(_)) => return leave("its head is damaged"),
+            opened => opened?,
+        };
+        if smaller.points >= header.points {
+            return Ok(0);
+        }
+        let differences = header.differences_but_count(&smaller);
+        if !differences.is_empty() {
+            let differences = differences.join("\n  ");
+            return leave(&format!(
+                "it differs from this run (here: now, there: in the file):\n  {differences}"
+            ));
+        }
+        let mut there = Journal::open(&path, &smaller)?;
+        self.warnings.append(&mut there.warnings);
+        let mut results = there.journal.so_far(smaller.points)?;
+        let mut taken = 0;
+        for point in there.done.members() {
+            if let Some(result) = results.result(point)?
+                && self.done.insert(point)
+            {
+                self.journal.add(point, &result)?;
+                taken += 1;
+            }
+        }
+        self.journal.finish()?;
+        Ok(taken)
+    }
+
     /// Findings of the points present, by their numbers below `points`.
     pub(crate) fn findings(&self, points: usize) -> Result<HashMap<usize, Finding>, JournalError> {
         let mut found = HashMap::new();

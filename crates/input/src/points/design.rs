@@ -30,6 +30,11 @@ impl Design {
         }
     }
 
+    /// True of a sample whose first points are the same for any number of points.
+    pub fn is_nested(&self) -> bool {
+        matches!(self, Self::Sample(sample) if sample.design().is_nested())
+    }
+
     /// Coordinates of the `index`-th point, from 0, one for each axis.
     pub fn coordinates(&self, index: usize) -> Vec<f64> {
         match self {

@@ -35,6 +35,14 @@ impl SampleDesign {
         }
     }
 
+    /// True if the first points are the same for any number of points, so that a sample can grow.
+    pub fn is_nested(self) -> bool {
+        match self {
+            Self::MonteCarlo | Self::Sobol => true,
+            Self::LatinHypercube => false,
+        }
+    }
+
     /// Greatest number of points.
     pub fn most_points(self) -> usize {
         match self {

@@ -145,6 +145,16 @@ impl Header {
             .collect()
     }
 
+    /// The differences from the header of the same sample with fewer points, apart from its count.
+    pub(crate) fn differences_but_count(&self, smaller: &Self) -> Vec<String> {
+        let mut grown = smaller.clone();
+        grown.points = self.points;
+        if let Some(count) = grown.input.pointer_mut("/sample/count") {
+            *count = self.points.into();
+        }
+        self.differences(&grown)
+    }
+
     /// Reads the sweep of the journal from the copies of its files; `None` for a table of cases.
     ///
     /// # Errors
@@ -231,6 +241,23 @@ mod tests {
         other.probe = String::new();
         let said = one.differences(&other).join("; ");
         assert!(said.starts_with("program: 1.0 here, 1.1 there; landing computed as a probe"));
+    }
+
+    #[test]
+    fn a_grown_sample_differs_from_a_smaller_one_by_its_count_only() {
+        let smaller = header("landers/six-legs-dispersions");
+        let mut grown = smaller.clone();
+        grown.points += 500;
+        grown.input["sample"]["count"] = grown.points.into();
+        assert_eq!(grown.differences(&smaller).len(), 2);
+        assert_eq!(grown.differences_but_count(&smaller), Vec::<String>::new());
+        grown.input["sample"]["seed"] = 2.into();
+        grown.model += 1;
+        let said = grown.differences_but_count(&smaller).join("; ");
+        assert!(
+            said.contains("model version") && said.contains("sample.seed: 2 here"),
+            "{said}"
+        );
     }
 
     #[test]

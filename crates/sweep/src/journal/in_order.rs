@@ -7,11 +7,13 @@ use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
+use touchdown_input::sweeps::sweep_file::Sweep;
+
 use super::error::{JournalError, io_error};
 use super::frame::{self, OVERHEAD};
-use super::record;
 use super::records::Records;
 use super::scan::{Piece, Scan};
+use super::{kept, record};
 
 /// Bits of an index entry for the offset; the rest count journals from 1.
 const OFFSET_BITS: u32 = 48;
@@ -103,6 +105,21 @@ impl InOrder {
             }
         }
         Ok(missing)
+    }
+
+    /// Keeps the journal of a whole sweep that can grow, once results are written from it; removes any other.
+    ///
+    /// # Errors
+    /// Errors of the file system.
+    pub fn end_journal(self, sweep: &Sweep) -> Result<(), JournalError> {
+        if !sweep.design.is_nested() {
+            return self.remove_journals();
+        }
+        for Reader { records, .. } in &self.journals {
+            let path = &records.path;
+            std::fs::rename(path, kept(path)).map_err(|error| io_error(path, error))?;
+        }
+        Ok(())
     }
 
     /// Removes the journals once results are written from them; they stay locked until then.

@@ -8,7 +8,8 @@ use touchdown_input::documents::input_error::InputError;
 use touchdown_input::documents::output_units::OutputUnits;
 use touchdown_input::sweeps::sweep::{Sweep, partial};
 
-use crate::journal::InOrder;
+use crate::journal::shard::Shard;
+use crate::journal::{InOrder, kept};
 use crate::output::file_writer::{Draft, Folder, WriteError};
 use crate::output::output_guard::OutputGuard;
 use crate::output::results;
@@ -72,7 +73,7 @@ pub fn check_places(sweep: &Sweep, folder: &Folder, overwrite: bool) -> Result<(
         .map(|form| folder.path(&format!("{stem}{form}")))
         .into_iter();
     match tables.find(|table| table.exists()) {
-        Some(table) if !overwrite && !includes(own_input(sweep), input_of(there)) => {
+        Some(table) if !overwrite && !includes(sweep, input_of(there)) => {
             let complaint =
                 "holds results of other input: expected another folder or name, or --overwrite";
             Err(InputError::in_file(&table, complaint))
@@ -94,14 +95,14 @@ pub fn are_there(sweep: &Sweep, folder: &Folder, version: &str, has_parquet: boo
 }
 
 /// True if the input of a sweep is that of existing results, or a sample that has grown beyond theirs: it has their rows.
-fn includes(mut input: Value, mut existing: Value) -> bool {
-    let count = |record: &mut Value| {
-        let sample = record.pointer_mut("/input/sample")?;
-        let is_nested = ["monte-carlo", "sobol"].contains(&sample.get("design")?.as_str()?);
-        let count = sample.get_mut("count").filter(|_| is_nested)?;
-        count.take().as_u64()
-    };
-    count(&mut existing) <= count(&mut input) && input == existing
+fn includes(sweep: &Sweep, mut existing: Value) -> bool {
+    if let Some(count) = existing.pointer_mut("/input/sample/count")
+        && sweep.design.is_nested()
+        && (count.as_u64()).is_some_and(|count| count <= sweep.design.count() as u64)
+    {
+        *count = sweep.design.count().into();
+    }
+    own_input(sweep) == existing
 }
 
 /// The record in a file; null if there is none.
@@ -137,10 +138,11 @@ fn remove_stale(stem: &str, folder: &Folder, written: &[&Path]) -> Result<(), Wr
         [".csv", ".parquet"].map(|form| folder.path(&format!("{stem}{end}{form}")))
     });
     let tables = tables.chain([folder.path(&format!("{stem}.json"))]);
+    let kept = kept(&folder.path(&Shard::WHOLE.journal(stem)));
     let pictures = PICTURES
         .iter()
         .flat_map(|end| [".svg", ".png"].map(|form| folder.path(&format!("{stem}{end}{form}"))));
-    for file in tables.chain(pictures) {
+    for file in tables.chain(pictures).chain([kept]) {
         if !written.contains(&file.as_path()) && file.is_file() {
             fs::remove_file(&file).map_err(|error| WriteError { path: file, error })?;
         }

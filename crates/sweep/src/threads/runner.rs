@@ -31,7 +31,7 @@
 //! let mut results = run.compute()?.results()?;
 //! let draw = |_: &_, _: &str| Ok::<_, TablesError>(NamedFiles::new());
 //! let (counts, _) = result_files::write(&sweep, &mut results, &folder, "0.1.0", false, draw)?;
-//! results.remove_journals()?;
+//! results.end_journal(&sweep)?;
 //! assert_eq!(counts.points, 25);
 //! # Ok(())
 //! # }
@@ -87,6 +87,7 @@ pub struct Run<'r> {
     runner: &'r Runner<'r>,
     task: Task<'r>,
     path: PathBuf,
+    header: Header,
     opened: Opened,
 }
 
@@ -117,6 +118,7 @@ impl<'r> Runner<'r> {
             runner: self,
             task,
             path,
+            header,
             opened,
         })
     }
@@ -136,6 +138,23 @@ impl Run<'_> {
     /// Points in the journal.
     pub fn earlier(&self) -> usize {
         self.opened.done.len()
+    }
+
+    /// Adds the points of a finished sample to the journal of the same sample with more points; returns how many. Any
+    /// other run has none.
+    ///
+    /// # Errors
+    /// Errors of the file system.
+    pub fn take_over(&mut self) -> Result<usize, RunError> {
+        let taken = match self.task {
+            Task::Sweep(sweep, Shard::WHOLE) if sweep.design.is_nested() => {
+                self.opened.take_over(&self.header)
+            }
+            _ => Ok(0),
+        };
+        let taken = taken.map_err(RunError::Journal)?;
+        self.runner.observer.skip(taken);
+        Ok(taken)
     }
 
     /// Computes the points that are not in the journal.

@@ -11,6 +11,7 @@ use clap::Args;
 use touchdown_input::documents::input_error::InputError;
 use touchdown_input::documents::output_units::OutputUnits;
 use touchdown_input::sweeps::sweep_file::Sweep;
+use touchdown_sweep::journal::kept;
 use touchdown_sweep::journal::shard::Shard;
 use touchdown_sweep::output::file_writer::Folder;
 use touchdown_sweep::output::result_files;
@@ -79,7 +80,8 @@ pub struct Options {
     /// Form of the tables
     #[arg(long, value_name = "FORMAT", default_value = "csv")]
     format: Format,
-    /// Also replace results of other input, and files that are no results of a sweep
+    /// Also replace results of other input, and files that are no results of a sweep; take no points
+    /// over from a smaller sample
     #[arg(long)]
     overwrite: bool,
     /// Print nothing but errors
@@ -277,17 +279,25 @@ impl Invocation<'_> {
             cancel: self.cancel,
             version: env!("CARGO_PKG_VERSION"),
         };
-        let run = runner.begin(Task::Sweep(sweep, shard))?;
+        let mut run = runner.begin(Task::Sweep(sweep, shard))?;
+        let taken = match self.options.overwrite {
+            true => 0,
+            false => run.take_over()?,
+        };
         for warning in run.warnings() {
             eprintln!("touchdown: {warning}");
         }
         let earlier = run.earlier();
-        if earlier > 0 && !self.options.quiet {
-            let of_all = match sweep.map() {
-                Some(_) => String::new(),
-                None => format!(" of {}", shard.len(sweep.design.count())),
-            };
+        let of_all = match sweep.map() {
+            Some(_) => String::new(),
+            None => format!(" of {}", shard.len(sweep.design.count())),
+        };
+        if earlier > taken && !self.options.quiet {
+            let earlier = earlier - taken;
             eprintln!("{earlier}{of_all} points are in {}", path.display());
+        }
+        if taken > 0 && !self.options.quiet {
+            eprintln!("took {taken}{of_all} points from {}", kept(&path).display());
         }
         let points = run.compute()?;
         // Time and threads of a run that went on with another's work say nothing of the whole.
@@ -325,7 +335,7 @@ impl Invocation<'_> {
         let (folder, format) = (self.folder, self.options.format);
         let written = (self.workers)
             .within(|| sweep_results::write(sweep, &mut results, folder, circumstances, format))?;
-        results.remove_journals()?;
+        results.end_journal(sweep)?;
         Ok(Done::Whole(Box::new(written)))
     }
 }

@@ -4,7 +4,7 @@
 
 use std::sync::LazyLock;
 
-use crate::common::Bench;
+use crate::common::{Bench, Done};
 
 const SAMPLE: &str = r#"title = "Dispersed touchdowns"
 job = "outcome"
@@ -53,34 +53,134 @@ fn uninterrupted() -> &'static [String; 2] {
     &RESULTS_OF_ONE_RUN
 }
 
-/// A sample that has grown has the rows of the smaller one and takes the place of its results; none loses rows.
+const KEPT: &str = "results/sweep.journal.kept";
+
+/// A sample of so many points.
+fn swept(bench: &Bench, count: usize, options: &[&str]) -> Done {
+    let count = format!("sample.count={count}");
+    bench.run(&[&["sweep", "sweep.toml", "--set", &count], options].concat())
+}
+
+/// All results but the kept journal by name; what the program said of them but for the time.
+fn all(bench: &Bench, done: &Done) -> (Vec<(String, Vec<u8>)>, String) {
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    let mut files = bench.list("results");
+    files.retain(|name| !KEPT.ends_with(name));
+    let read = |name: String| {
+        let bytes = std::fs::read(bench.path("results").join(&name)).unwrap();
+        (name, bytes)
+    };
+    let lines = done.out.lines();
+    let untimed = lines.filter(|line| !line.contains("evaluations"));
+    (files.into_iter().map(read).collect(), untimed.collect())
+}
+
+/// A sample that has grown takes over the points of the smaller one and comes to the results of a run from the beginning.
 #[test]
-fn a_grown_sample_takes_the_place_of_the_smaller_one() {
-    for (design, is_nested) in [
-        ("monte-carlo", true),
-        ("sobol", true),
-        ("latin-hypercube", false),
+fn a_grown_sample_takes_over_the_points_of_the_smaller_one() {
+    let si = ["--units", "SI", "--format", "parquet"];
+    for (text, design, options) in [
+        (SAMPLE, "monte-carlo", &[][..]),
+        (SAMPLE, "sobol", &si),
+        (SAMPLE, "latin-hypercube", &[]),
+        (TRANSITIONS, "sobol", &si),
     ] {
-        let bench = Bench::new();
-        let swept = |count: usize| {
-            let sample = SAMPLE
-                .replace("monte-carlo", design)
-                .replace("count = 5000", &format!("count = {count}"))
-                .replace("stop_at_interval_width = 0.12\n", "");
-            bench.write("sweep.toml", &sample);
-            bench.run(&["sweep", "sweep.toml"])
-        };
-        let refused = "results/sweep.csv: holds results of other input";
-        assert_eq!(swept(16).code, Some(0));
-        let few = bench.read(RESULTS[0]);
-        let grown = swept(32);
-        if is_nested {
-            assert_eq!(grown.code, Some(0), "{}", grown.err);
-            assert!(bench.read(RESULTS[0]).starts_with(&few), "{design}");
-            swept(16).refused(&[refused]);
-        } else {
-            grown.refused(&[refused]);
+        let [bench, scratch] = [Bench::new(), Bench::new()];
+        let text = text
+            .replace("monte-carlo", design)
+            .replace("latin-hypercube", design);
+        bench.write("sweep.toml", &text);
+        scratch.write("sweep.toml", &text);
+        let swept = |bench, count, more| swept(bench, count, &[options, more].concat());
+        assert_eq!(swept(&bench, 16, &[]).code, Some(0));
+        let grown = swept(&bench, 32, &["--threads", "1"]);
+        let refused = ["results/sweep.csv: holds results of other input"];
+        if design == "latin-hypercube" {
+            assert!(!bench.path(KEPT).exists());
+            grown.refused(&refused);
+            continue;
         }
+        let told = format!("took 16 of 32 points from {KEPT}");
+        assert!(grown.err.contains(&told), "{}", grown.err);
+        let whole = swept(&scratch, 32, &["--threads", "3"]);
+        assert!(all(&bench, &grown) == all(&scratch, &whole), "{design}");
+        swept(&bench, 16, &[]).refused(&refused);
+        let anew = swept(&bench, 33, &["--overwrite"]);
+        assert_eq!(anew.code, Some(0), "{}", anew.err);
+        assert!(!anew.err.contains("took"), "{}", anew.err);
+        // What cannot grow leaves nothing for it.
+        bench.write("sweep.toml", &text.replace(design, "latin-hypercube"));
+        assert_eq!(swept(&bench, 16, &["--overwrite"]).code, Some(0));
+        assert!(!bench.path(KEPT).exists());
+    }
+}
+
+#[test]
+fn a_kept_journal_that_was_changed_is_told_and_not_trusted() {
+    let scratch = bench();
+    let whole = swept(&scratch, 32, &[]);
+    let other = bench();
+    assert_eq!(swept(&other, 16, &["--set", "sample.seed=7"]).code, Some(0));
+    let other = std::fs::read(other.path(KEPT)).unwrap();
+    let flip = |mut bytes: Vec<u8>, place: usize| {
+        bytes[place] ^= 1;
+        bytes
+    };
+    for (change, told) in [
+        (
+            &(|bytes| flip(bytes, 100)) as &dyn Fn(Vec<u8>) -> Vec<u8>,
+            ["not used, as its head is damaged"; 2],
+        ),
+        (
+            &|bytes| {
+                let place = bytes.len() - 700;
+                flip(bytes, place)
+            },
+            ["are damaged", "took 15 of 32"],
+        ),
+        (
+            &|bytes| bytes[..bytes.len() - 9].to_vec(),
+            ["were cut off", "took 15 of 32"],
+        ),
+        (
+            &|_| other.clone(),
+            ["not used, as it differs", "sample.seed: 1966 here, 7 there"],
+        ),
+    ] {
+        let bench = bench();
+        assert_eq!(swept(&bench, 16, &[]).code, Some(0));
+        let bytes = std::fs::read(bench.path(KEPT)).unwrap();
+        std::fs::write(bench.path(KEPT), change(bytes)).unwrap();
+        let grown = swept(&bench, 32, &[]);
+        assert!(
+            told.iter().all(|told| grown.err.contains(told)),
+            "{told:?}: {}",
+            grown.err
+        );
+        assert!(all(&bench, &grown) == all(&scratch, &whole), "{told:?}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_sample_that_is_killed_while_it_grows_loses_nothing_and_ends_as_early() {
+    let bench = bench();
+    assert_eq!(swept(&bench, 100, &[]).code, Some(0));
+    for _ in 0..3 {
+        let mut run = bench
+            .command(&["sweep", "sweep.toml", "--quiet"])
+            .spawn()
+            .unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(60));
+        run.kill().unwrap();
+        run.wait().unwrap();
+    }
+    for count in [5000, 6000] {
+        let done = swept(&bench, count, &[]);
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        assert_eq!(RESULTS.map(|name| bench.read(name)), *uninterrupted());
+        let takes_over = done.err.contains("points from");
+        assert!(takes_over || count == 5000, "{}", done.err);
     }
 }
 
