@@ -106,7 +106,7 @@ impl Sweep {
             if !overwrite && result_files::are_there(&sweep, &folder, VERSION, is_parquet) {
                 return Ok([Vec::new(), Vec::new()]);
             }
-            run(&sweep, &folder, is_parquet, threads, work)
+            run(&sweep, &folder, is_parquet, overwrite, threads, work)
         })
     }
 }
@@ -115,6 +115,7 @@ fn run(
     sweep: &sweep_file::Sweep,
     folder: &Folder,
     is_parquet: bool,
+    overwrite: bool,
     threads: Option<NonZeroUsize>,
     work: &Work,
 ) -> Result<[Vec<String>; 2], Failure> {
@@ -129,14 +130,17 @@ fn run(
     // The number of points of a map emerges round by round.
     let known_before = sweep.map().is_none().then(|| sweep.design.count());
     work.more(known_before.unwrap_or(0));
-    let run = runner.begin(Task::Sweep(sweep, Shard::WHOLE))?;
+    let mut run = runner.begin(Task::Sweep(sweep, Shard::WHOLE))?;
+    if !overwrite {
+        run.take_over()?;
+    }
     let of_journal = run.warnings().to_vec();
     let mut found = run.compute()?.results()?;
     let draw = |_: &_, _: &str| Ok::<_, Failure>(NamedFiles::new());
     let written = workers
         .within(|| result_files::write(sweep, &mut found, folder, VERSION, is_parquet, draw));
     let (counts, _) = written?;
-    found.remove_journals()?;
+    found.end_journal(sweep)?;
     Ok([of_journal, warnings::of_sweep(sweep, &counts)])
 }
 

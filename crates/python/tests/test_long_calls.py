@@ -232,6 +232,27 @@ def test_results_of_the_same_input_are_given_back(root, lander, scene, tmp_path)
     assert td.run(path, tmp_path, progress=lambda *counts: landings.clear()).identical(ran) and landings
 
 
+def test_a_grown_sample_takes_over_the_points_of_the_smaller_one(lander, scene, tmp_path):
+    landings = []
+
+    def drawn(count, out, **options):
+        landings.clear()
+        watch = lambda done, wanted, landed: landings.append((done, wanted, landed))  # noqa: E731
+        axes = {"friction": {"from": 0.8, "to": 1.1}}
+        ds = td.sample(lander, scene, axes, count, 7, out=tmp_path / out, progress=watch, **options)
+        return ds, landings[-1]
+
+    for options in [{}, {"units": "SI", "parquet": True, "design": "sobol"}]:
+        name = options.get("design", "monte-carlo")
+        drawn(8, name, **options)
+        grown, counts = drawn(12, name, threads=1, **options)
+        assert counts == (12, 12, 4)
+        whole, counts = drawn(12, "whole", overwrite=True, **options)
+        assert counts == (12, 12, 12) and grown.identical(whole)
+        for file in (tmp_path / name).iterdir():
+            assert file.suffix == ".kept" or file.read_bytes() == (tmp_path / "whole" / file.name).read_bytes()
+
+
 def test_tables_of_other_rows_stay(lander, scene, tmp_path):
     out = tmp_path / "landed.csv"
 

@@ -214,7 +214,7 @@ def sample(
         A distribution for each parameter, such as ``{"mean": 14, "sd": 0.5}``, ``{"from": 0, "to": 20}``, or ``{"file": "measured.csv",
         "column": "friction"}``.
     count : int
-        Number of points.
+        Number of points. A finished sample in `out` with fewer of them, and otherwise the same, is taken over, but for Latin hypercubes.
     seed : int
         The same seed gives the same points on every machine.
     design : {"monte-carlo", "latin-hypercube", "sobol"}
