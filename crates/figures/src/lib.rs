@@ -31,6 +31,6 @@ pub use maps::{leading_feet, levels, map_legend, refined_map, surface};
 use page::{canvas, frame, sheet, text, thinning};
 pub use page::{legend, palette, style};
 pub use tables::{bands_table, boundary_table, map_table};
-use tables::{history_table, profile_points, sensitivity_table, table};
-pub use words::{axis_title, caption, figure_error, number, unit};
+use tables::{history_table, profile_points, sensitivity_table};
+pub use words::{FigureError, axis_title, caption, label, unit};
 use words::{division, ticks};

@@ -7,7 +7,6 @@ use crate::caption::Caption;
 use crate::contour_map;
 use crate::distribution_chart;
 use crate::division::Division;
-use crate::figure_error::FigureError;
 use crate::heights::Heights;
 use crate::history_chart;
 use crate::history_table::{self, HistoryTable};
@@ -20,8 +19,9 @@ use crate::probability_chart;
 use crate::refined_map;
 use crate::sensitivity_table::{self, SensitivityTable};
 use crate::surface::Surface;
-use crate::table::{Cells, Table};
+use crate::tables::{Cells, Table};
 use crate::tornado_chart;
+use crate::words::FigureError;
 use crate::work_precision::{self, Cost};
 
 /// A picture, and the suffix of its name.

@@ -6,7 +6,7 @@ use png::{BitDepth, ColorType, Compression, Encoder, FilterType};
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree, fontdb};
 
-use crate::figure_error::FigureError;
+use crate::words::FigureError;
 
 /// DejaVu Sans, reduced to the letters that pictures use: system fonts differ between machines.
 const FONT: &[u8] = include_bytes!("../fonts/DejaVuSans-subset.ttf");

@@ -5,13 +5,13 @@ use crate::boundary_table::{BoundaryTable, Kind, Transition};
 use crate::canvas::Canvas;
 use crate::caption::Caption;
 use crate::division::Division;
-use crate::figure_error::FigureError;
 use crate::frame::{Area, Frame, Scale};
 use crate::legend::{Mark, draw_mark, stripe};
 use crate::profile_points::{self, ProfilePoint};
 use crate::sheet::{self, Height, Sheet};
 use crate::style::{Colour, Style};
 use crate::text::Font;
+use crate::words::FigureError;
 use crate::{palette, shading};
 
 /// Width and height of the picture, pixels.

@@ -1,9 +1,9 @@
 //! The distribution of transition velocities of a sample: cumulative curve with its interval, and histogram.
 
 use crate::caption::Caption;
-use crate::figure_error::FigureError;
 use crate::line_chart::{self, Axis, Curve, LineChart, Panel, Stroke};
-use crate::table::{Table, has_column};
+use crate::tables::{Table, has_column};
+use crate::words::FigureError;
 
 /// A column that other tables do not have.
 const CUMULATIVE: &str = "cumulative_share";

@@ -3,17 +3,17 @@
 use crate::axis_title::axis_title;
 use crate::canvas::{Canvas, Point};
 use crate::caption::Caption;
-use crate::figure_error::FigureError;
 use crate::frame::{Area, Frame, Scale};
 use crate::history_page::{self, Curve, Panel};
 use crate::history_table::{History, HistoryTable, Instant};
 use crate::legend::{self, Entry, Mark};
-use crate::number::label;
 use crate::palette;
 use crate::sheet::{self, Height, Sheet};
 use crate::style::Style;
 use crate::ticks::round_values;
 use crate::unit::in_si;
+use crate::words::FigureError;
+use crate::words::label;
 
 /// Width of the picture, and height of its panels if they are few and if they are many, pixels.
 const WIDTH: f64 = 900.0;

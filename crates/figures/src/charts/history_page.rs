@@ -1,9 +1,9 @@
 //! Panels of a picture of histories, and their curves.
 
 use crate::axis_title::{axis_title, column_words};
-use crate::figure_error::FigureError;
 use crate::history_table::present_name;
 use crate::unit::{in_si, unit_of};
+use crate::words::FigureError;
 
 /// A panel.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,13 +4,13 @@ mod axis;
 
 use crate::canvas::{Canvas, Point};
 use crate::caption::Caption;
-use crate::figure_error::FigureError;
 use crate::frame::{Frame, Scale};
 use crate::legend::{Entry, Mark};
 use crate::palette;
 use crate::sheet::{self, Height, Sheet};
 use crate::style::{Colour, Style};
 use crate::text::Font;
+use crate::words::FigureError;
 
 pub use axis::Axis;
 

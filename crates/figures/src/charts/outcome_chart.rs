@@ -3,13 +3,13 @@
 use crate::axis_title::axis_title;
 use crate::boundary_table::Kind;
 use crate::caption::Caption;
-use crate::figure_error::FigureError;
 use crate::frame::{Area, Frame, Scale};
 use crate::legend::{Entry, Mark, draw_mark};
 use crate::palette;
 use crate::sheet::{self, Height, Sheet};
 use crate::style::Style;
-use crate::table::Table;
+use crate::tables::Table;
+use crate::words::FigureError;
 
 /// Width and height of the picture, pixels.
 const SIZE: (f64, f64) = (900.0, 760.0);

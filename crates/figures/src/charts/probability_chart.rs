@@ -4,12 +4,12 @@ use crate::boundary_table::Kind;
 use crate::canvas::Canvas;
 use crate::caption::Caption;
 use crate::division::Division;
-use crate::figure_error::FigureError;
 use crate::frame::{Area, Frame, Scale};
 use crate::legend::{Entry, Mark};
 use crate::sheet::{self, Height, Sheet};
 use crate::style::{Colour, Style};
-use crate::table::{Row, Table};
+use crate::tables::{Row, Table};
+use crate::words::FigureError;
 use crate::{palette, ticks};
 
 /// Width of the picture, pixels.

@@ -6,7 +6,6 @@
 
 use crate::canvas::Canvas;
 use crate::caption::Caption;
-use crate::figure_error::FigureError;
 use crate::frame::{Frame, Scale};
 use crate::legend::{Entry, Mark};
 use crate::palette;
@@ -16,6 +15,7 @@ use crate::style::{Colour, Style, WHITE};
 use crate::text::{Anchor, Font};
 use crate::ticks::round_values;
 use crate::tornado_words::{name, reason, title};
+use crate::words::FigureError;
 
 /// Width of the picture, and heights of its axis and of a bar's row, pixels.
 const WIDTH: f64 = 900.0;

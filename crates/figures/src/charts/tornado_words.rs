@@ -1,9 +1,9 @@
 //! Words for the rows and the axis of a tornado chart.
 
 use crate::axis_title::parameter_words;
-use crate::number::label;
 use crate::sensitivity_table::{Point, Slope};
 use crate::unit::{SpeedUnit, printed_unit, unit_of};
+use crate::words::label;
 use libm::{exp10, log10};
 
 /// Name, value and change of a parameter.

@@ -1,9 +1,9 @@
 //! The work-precision diagram: error against time, both on logarithmic scales.
 
 use crate::caption::Caption;
-use crate::figure_error::FigureError;
 use crate::line_chart::{self, Axis, Curve, LineChart, Panel, Stroke};
-use crate::table::Table;
+use crate::tables::Table;
+use crate::words::FigureError;
 
 /// First column of the table.
 const TOLERANCE: &str = "tolerance";

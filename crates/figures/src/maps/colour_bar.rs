@@ -3,11 +3,11 @@
 use crate::canvas::Canvas;
 use crate::frame::Area;
 use crate::heights::Heights;
-use crate::number;
 use crate::palette;
 use crate::style::Style;
 use crate::text::{Anchor, Font};
 use crate::unit::SpeedUnit;
+use crate::words::label;
 
 /// Width of the column with its numbers, pixels.
 const WIDTH: f64 = 92.0;
@@ -56,7 +56,7 @@ pub fn draw(canvas: &mut Canvas, area: Area, heights: &Heights, unit: SpeedUnit)
         let style = Style::fill(levels.colour(*low)).outlined(palette::TEXT, 1.0);
         canvas.rectangle((left, y), (left + COLOUR, y + step), style);
         if index + 1 < bands.len() {
-            canvas.text(&number::label(*low), (left + COLOUR + 6.0, y + step), font);
+            canvas.text(&label(*low), (left + COLOUR + 6.0, y + step), font);
         }
     }
 }

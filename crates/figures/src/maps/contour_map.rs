@@ -14,7 +14,8 @@ use crate::sheet::{self, Height, Sheet};
 use crate::style::{Style, WHITE};
 use crate::surface::{Cell, Surface};
 use crate::text::{Font, text_width};
-use crate::{colour_bar, leading_feet, number, palette};
+use crate::words::label;
+use crate::{colour_bar, leading_feet, palette};
 use libm::hypot;
 
 /// Width and height of the picture, pixels.
@@ -160,7 +161,7 @@ pub fn draw_lines(
 ) {
     let mut labels: Vec<(Point, String)> = Vec::new();
     for (level, lines) in lines {
-        let label = number::label(level);
+        let label = label(level);
         let room = 0.5 * text_width(&label, LABEL) + 4.0;
         for line in lines {
             canvas.curve(&line, Style::stroke(palette::TEXT, 1.3));

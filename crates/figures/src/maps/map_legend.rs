@@ -5,10 +5,10 @@ use crate::boundary_table::Kind;
 use crate::caption::Caption;
 use crate::legend::{Entry, Mark};
 use crate::map_view;
-use crate::number;
 use crate::palette;
 use crate::style::{Style, WHITE};
 use crate::surface::{Cell, Surface};
+use crate::words::label;
 
 /// The legend of a contour map: an entry for every mark on the map.
 pub fn of_map(surface: &Surface, caption: &Caption) -> Vec<Entry> {
@@ -62,7 +62,7 @@ pub fn has_leading_feet(surface: &Surface, caption: &Caption) -> bool {
 }
 
 fn jump_words(surface: &Surface, caption: &Caption) -> String {
-    let (least, unit) = (number::label(surface.jump), caption.speed_unit);
+    let (least, unit) = (label(surface.jump), caption.speed_unit);
     format!("V_H jumps by more than {least} {unit} between points")
 }
 

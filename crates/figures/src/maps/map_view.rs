@@ -3,8 +3,8 @@
 use crate::caption::Caption;
 use crate::division::Division;
 use crate::isolines::Place;
-use crate::number;
 use crate::surface::Surface;
+use crate::words::label;
 
 /// Directions of the axes of a map.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,11 +83,7 @@ impl View {
         let ticks = self.divisions[axis].ticks(&surface.axes[axis], least, most, count);
         let ticks = ticks.into_iter().map(|(place, number)| {
             let is_downhill = axis == 0 && self.written < 0.0 && place == -180.0;
-            let number = if is_downhill {
-                number::label(180.0)
-            } else {
-                number
-            };
+            let number = if is_downhill { label(180.0) } else { number };
             (sign * place, number)
         });
         let mut ticks: Vec<_> = ticks.collect();

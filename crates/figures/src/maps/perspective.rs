@@ -12,7 +12,8 @@ use crate::surface::{Cell, Surface};
 use crate::text::{Anchor, Font};
 use crate::ticks::{multiples, round_step};
 use crate::view_point::ViewPoint;
-use crate::{colour_bar, map_legend, number, palette};
+use crate::words::label;
+use crate::{colour_bar, map_legend, palette};
 
 /// Width and height of the picture, pixels.
 pub const SIZE: (f64, f64) = (900.0, 700.0);
@@ -142,11 +143,7 @@ pub fn draw_box(
             [f0, f1].map(|fast| point.pixel(back_s, fast, height)),
         );
         let (x, y) = point.pixel(front_s, back_f, height);
-        canvas.text(
-            &number::label(height),
-            (x - 8.0, y),
-            small.anchor(Anchor::End),
-        );
+        canvas.text(&label(height), (x - 8.0, y), small.anchor(Anchor::End));
     }
     let (x, y) = point.pixel(front_s, back_f, top);
     let speed = format!("V_H, {}", caption.speed_unit);

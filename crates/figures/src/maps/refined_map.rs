@@ -12,7 +12,8 @@ use crate::sheet::{self, Height, Sheet};
 use crate::style::{Style, WHITE};
 use crate::surface::Surface;
 use crate::view_point::ViewPoint;
-use crate::{colour_bar, contour_map, number, palette, perspective};
+use crate::words::label;
+use crate::{colour_bar, contour_map, palette, perspective};
 
 /// Draws the contour map as SVG.
 pub(crate) fn contours(map: &MapTable, heights: &Heights, caption: &Caption) -> String {
@@ -215,7 +216,7 @@ fn legend(map: &MapTable, caption: &Caption) -> Vec<Entry> {
     if let Some((_, asked)) = estimates(map, caption) {
         let words = format!(
             "estimated error above {} {}",
-            number::label(asked),
+            label(asked),
             caption.speed_unit
         );
         entries.push((Mark::Hatched, words));

@@ -3,10 +3,10 @@
 use crate::axis_title::axis_title;
 use crate::canvas::{Canvas, Point};
 use crate::division::Division;
-use crate::number::label;
 use crate::palette;
 use crate::style::Style;
 use crate::text::{Anchor, Font, text_width};
+use crate::words::label;
 
 /// Part of a picture, pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]

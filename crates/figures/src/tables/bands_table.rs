@@ -1,8 +1,8 @@
 //! Reads tables of bands: the ranges of speed at each point with the same outcome.
 
 use crate::boundary_table::{BoundaryTable, Kind, Point};
-use crate::figure_error::FigureError;
-use crate::table::Table;
+use crate::tables::Table;
+use crate::words::FigureError;
 
 /// Columns that follow the axes.
 const COLUMNS: [&str; 4] = ["band", "from_fps", "to_fps", "outcome"];

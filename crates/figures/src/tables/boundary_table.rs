@@ -3,8 +3,8 @@
 use std::collections::hash_map::Entry;
 use std::collections::{HashMap, HashSet};
 
-use crate::figure_error::FigureError;
-use crate::table::{Row, Table};
+use crate::tables::{Row, Table};
+use crate::words::FigureError;
 
 const KIND: &str = "first_transition_to";
 const SPEED: &str = "first_transition_fps";

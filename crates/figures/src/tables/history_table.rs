@@ -1,7 +1,7 @@
 //! Reads histories of landings: quantities over time, for one landing or several.
 
-use crate::figure_error::FigureError;
-use crate::table::{Table, has_column};
+use crate::tables::{Table, has_column};
+use crate::words::FigureError;
 
 /// The column that makes a table one of histories.
 pub const TIME: &str = "t_s";

@@ -3,8 +3,8 @@
 
 use crate::boundary_table::{BoundaryTable, Point};
 use crate::division::Division;
-use crate::figure_error::FigureError;
-use crate::table::{Cells, Row, Table, has_column};
+use crate::tables::{Cells, Row, Table, has_column};
+use crate::words::FigureError;
 
 /// The column after the axes of a table of triangles.
 const TRIANGLE: &str = "triangle";

@@ -1,8 +1,8 @@
 //! Reads tables of sensitivities: the change of the transition velocity with each parameter, point by point.
 
-use crate::figure_error::FigureError;
-use crate::table::{Row, Table, has_column};
+use crate::tables::{Row, Table, has_column};
 use crate::unit::in_si;
+use crate::words::FigureError;
 
 /// The column that makes a table one of sensitivities.
 const DERIVATIVE: &str = "dvh_dp_fps_per_unit";

@@ -4,9 +4,9 @@ use serde_json::Value;
 
 use crate::axis_title::{column_words, parameter_words};
 use crate::division::Division;
-use crate::figure_error::FigureError;
-use crate::number::label;
 use crate::unit::{SpeedUnit, bare_name, unit_of};
+use crate::words::FigureError;
+use crate::words::label;
 
 /// Greatest velocity that a search can reach, ft/s; in m/s it is less.
 const MOST_SEARCHED: f64 = 1e4;

@@ -1,7 +1,7 @@
 //! Division of an axis: even, or by powers.
 
-use crate::number::label;
 use crate::ticks;
+use crate::words::label;
 use libm::{exp10, log2, log10, pow};
 
 /// Division of an axis.

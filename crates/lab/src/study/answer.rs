@@ -50,7 +50,7 @@ pub fn speed(transition: Option<Transition>) -> String {
 
 /// A number with a true minus sign.
 pub fn signed(number: f64) -> String {
-    touchdown_figures::number::label(number)
+    touchdown_figures::label(number)
 }
 
 #[cfg(test)]

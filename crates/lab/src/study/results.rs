@@ -3,9 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use touchdown_figures::FigureError;
 use touchdown_figures::bands_table::BandsTable;
 use touchdown_figures::boundary_table::{BoundaryTable, Kind, Transition};
-use touchdown_figures::figure_error::FigureError;
 use touchdown_input::documents::input_error::InputError;
 
 /// A folder with the results of sweeps.

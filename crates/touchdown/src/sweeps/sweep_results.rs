@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::ValueEnum;
-use touchdown_figures::figure_error::FigureError;
+use touchdown_figures::FigureError;
 use touchdown_figures::picture::{self, Choices, Source};
 use touchdown_input::points::design::Design;
 use touchdown_input::sweeps::sweep_file::Sweep;
