@@ -2,7 +2,6 @@
 
 pub mod bands_table;
 pub mod case_results;
-pub mod documented_columns;
 pub mod file_writer;
 pub mod history;
 pub mod landing_report;

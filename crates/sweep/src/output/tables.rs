@@ -4,7 +4,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use thiserror::Error;
-use touchdown_input::documents::column::{Cell, Heading, Kind, headings};
+use touchdown_input::documents::column::{Cell, Column, Heading, Kind, described, headings};
+use touchdown_input::documents::history_columns::{OF_BODY, OF_LEG};
 use touchdown_input::documents::output_units::Quantity;
 use touchdown_input::points::refined_grid::RefinedGrid;
 use touchdown_input::sweeps::sweep_file::Sweep;
@@ -13,8 +14,9 @@ use touchdown_search::boundary::Extent;
 use crate::journal::{InOrder, JournalError};
 use crate::maps::rounds::Rounds;
 use crate::output::file_writer::{Draft, Folder, WriteError};
+use crate::output::map_tables::{self, EDGE_COLUMNS, GRID_COLUMNS, SURFACE_COLUMNS};
 use crate::output::parquet_table::{self, ParquetTable};
-use crate::output::{bands_table, map_tables, results, sensitivity_table};
+use crate::output::{bands_table, landing_table, results, sensitivity_table};
 use crate::summary::findings::Finding;
 use crate::summary::probabilities;
 use crate::summary::sweep_counts::SweepCounts;
@@ -266,4 +268,31 @@ impl Table {
 fn refuse(path: &Path, error: io::Error) -> WriteError {
     let path = path.to_owned();
     WriteError { path, error }
+}
+
+/// Widths of edges, one for each refined axis.
+const WITHIN: [Column<()>; 1] = [Column::number(
+    "within_AXIS",
+    |()| None,
+    "for each refined axis: half the distance of these two points; the edge passes between them",
+)
+.in_unit("of the axis")];
+
+/// Columns of all tables as `docs/output.md` lists them: tables by their name there, each as its rows in Markdown.
+pub fn documented() -> Vec<(&'static str, String)> {
+    vec![
+        ("transitions", described(&results::COLUMNS)),
+        ("bands", described(&bands_table::COLUMNS)),
+        ("map points", described(&results::OF_MAP_POINTS)),
+        ("map edges", described(&EDGE_COLUMNS) + &described(&WITHIN)),
+        ("map grid", described(&GRID_COLUMNS)),
+        ("map surface", described(&SURFACE_COLUMNS)),
+        ("landings", described(&landing_table::COLUMNS)),
+        ("reports", described(&landing_table::OF_REPORTS)),
+        ("history", described(&OF_BODY) + &described(&OF_LEG)),
+        ("sensitivities", described(&sensitivity_table::COLUMNS)),
+        ("probabilities", described(&probabilities::columns())),
+        ("quantiles", described(&QUANTILE_COLUMNS)),
+        ("distribution", described(&DISTRIBUTION_COLUMNS)),
+    ]
 }
