@@ -4,7 +4,6 @@
 
 mod bands;
 mod bins;
-mod classes;
 mod complaint;
 mod computed;
 mod in_units;

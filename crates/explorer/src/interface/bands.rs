@@ -6,9 +6,8 @@ use touchdown_search::boundary::{self, Boundary, Extent};
 use touchdown_search::certainty::Certainty;
 
 use super::IsOver;
-use super::classes::{ClassWords, class_words};
 use super::complaint::Complaint;
-use super::request::{Asked, read, written};
+use super::request::{Asked, ClassWords, class_words, read, written};
 use super::search::find;
 use super::strip::range;
 use super::touchdown::Touchdown;

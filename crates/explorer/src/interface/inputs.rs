@@ -5,10 +5,9 @@ use serde_json::{Value, json};
 use touchdown_dynamics::outcome::Class;
 use touchdown_sweep::output::results::program;
 
-use super::classes::class_words;
 use super::complaint::Complaint;
 use super::map::title;
-use super::request::{read, written};
+use super::request::{class_words, read, written};
 use crate::named::{Named, Results, Source};
 
 #[derive(Deserialize)]

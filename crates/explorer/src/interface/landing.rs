@@ -14,9 +14,8 @@ use touchdown_sweep::output::landing_report::{self, LandingReport, verdict_time}
 use touchdown_sweep::output::landing_table::why;
 
 use super::IsOver;
-use super::classes::{ClassWords, class_words};
 use super::complaint::Complaint;
-use super::request::{Asked, read, units, written};
+use super::request::{Asked, ClassWords, class_words, read, units, written};
 use super::touchdown::Touchdown;
 use crate::named::Named;
 

@@ -12,11 +12,10 @@ use touchdown_figures::boundary_table::Kind;
 use touchdown_figures::caption::Caption;
 use touchdown_figures::unit::unit_of;
 
-use super::classes::class_words;
 use super::complaint::{Complaint, of_table};
 use super::computed::Computed;
 use super::in_units::{in_units, name_in, values_in};
-use super::request::{Asked, asked_units, read, written};
+use super::request::{Asked, asked_units, class_named, class_words, read, written};
 use crate::named::{Named, Results, ResultsKind};
 
 use picture::Picture;
@@ -221,7 +220,7 @@ fn caption(results: &Results) -> Result<Caption, Complaint> {
 }
 
 fn kind_words(kind: Kind) -> Value {
-    let words = super::classes::class_named(kind.name()).map(class_words);
+    let words = class_named(kind.name()).map(class_words);
     json!(words)
 }
 
@@ -231,7 +230,7 @@ fn bands_at(bands: &BandsTable, place: f64) -> Value {
     at.iter()
         .map(|band| {
             let name = band.kind.map_or("stable", Kind::name);
-            let words = super::classes::class_named(name).map(class_words);
+            let words = class_named(name).map(class_words);
             let mut told = json!(words);
             told["from"] = json!(band.from);
             told["to"] = json!(band.to);

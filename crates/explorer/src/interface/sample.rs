@@ -7,11 +7,10 @@ use serde_json::{Value, json};
 use touchdown_dynamics::outcome::Class;
 use touchdown_figures::levels::Levels;
 
-use super::classes::{class_words, hex};
 use super::complaint::{Complaint, of_table};
 use super::in_units::in_units;
 use super::map::{cell, results_of, title, words_of};
-use super::request::{asked_units, read, written};
+use super::request::{asked_units, class_words, hex, read, written};
 use crate::named::{Named, Results, ResultsKind};
 
 /// Number of colours of a scale.

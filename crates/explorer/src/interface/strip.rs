@@ -10,9 +10,8 @@ use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
 use super::IsOver;
-use super::classes::{ClassWords, class_named, class_words};
 use super::complaint::Complaint;
-use super::request::{Asked, read, within, written};
+use super::request::{Asked, ClassWords, class_named, class_words, read, within, written};
 use super::touchdown::Touchdown;
 use crate::named::Named;
 

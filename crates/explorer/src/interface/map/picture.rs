@@ -16,8 +16,8 @@ use touchdown_figures::surface::{Cell, Surface};
 use touchdown_sweep::output::results::LEVEL;
 
 use super::table::{Point, Transitions};
-use crate::interface::classes::hex;
 use crate::interface::complaint::{Complaint, of_table};
+use crate::interface::request::hex;
 use crate::named::Results;
 
 /// A map over two axes; empty otherwise.
