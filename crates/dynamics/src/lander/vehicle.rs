@@ -4,18 +4,16 @@
 //! file; [`Vehicle::new`] and [`Leg::new`] turn them into a vehicle that every law of the model can use without further
 //! checks.
 
-use std::f64::consts::TAU;
-
-use arrayvec::ArrayVec;
 use libm::{asin, cos, sin, sincos};
 use nalgebra::{Matrix3, SymmetricEigen};
 
+pub use super::footprint::Ring;
 use crate::contact::LegLaws;
 pub use crate::parts::{
     Block, Body, Damper, Footpad, Honeycomb, Inertia, LegDesign, Linkage, Strut, StrutElement,
 };
 
-use super::footprint::check_offset;
+use super::footprint::{Stand, check_offset, ring_of};
 use super::three_strut_leg::ThreeStrutLeg;
 use crate::invalid::{Invalid, require};
 use crate::per_leg::MOST_LEGS;
@@ -25,13 +23,6 @@ use crate::rules::Rules;
 
 /// Least number of legs that a vehicle stands on.
 pub const LEAST_LEGS: usize = 3;
-
-/// Least and greatest angle between neighbouring legs, deg.
-const LEAST_GAP: f64 = 1.0;
-const GREATEST_GAP: f64 = 180.0 - 1e-6;
-
-/// Indices of the legs in the order of their azimuths, 0 to 360 deg.
-pub type Ring = ArrayVec<usize, MOST_LEGS>;
 
 /// Mass properties and legs of a lander.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,17 +64,6 @@ impl From<Vec<ThreeStrutLeg>> for Legs {
     fn from(legs: Vec<ThreeStrutLeg>) -> Self {
         Self::ThreeStrut(legs)
     }
-}
-
-/// What all kinds of legs have, for the checks of a vehicle.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Stand {
-    /// Azimuth about the centreline, rad.
-    azimuth: f64,
-    /// Pivot of the footpad at rest: x and y of vehicle axes from the centreline, ft.
-    foot: [f64; 2],
-    /// Height of the plane of the lower hardpoints over level ground, ft.
-    stance: f64,
 }
 
 impl Legs {
@@ -204,30 +184,6 @@ impl Leg {
         let design = &self.design;
         design.linkage.lower_link_length * sin(self.extended_angle) + design.footpad.height
     }
-}
-
-/// The legs by azimuth. They have to surround the centreline: with half a turn or more between two neighbours a vehicle
-/// falls over where it stands.
-fn ring_of(legs: &[Stand]) -> Result<Ring, Invalid> {
-    let turn = |leg: usize| legs[leg].azimuth.rem_euclid(TAU);
-    let mut ring: Ring = (0..legs.len()).collect();
-    ring.sort_by(|&a, &b| turn(a).total_cmp(&turn(b)));
-    for (&leg, &next) in ring.iter().zip(ring.iter().cycle().skip(1)) {
-        let gap = (turn(next) - turn(leg)).rem_euclid(TAU).to_degrees();
-        let [here, azimuth] = [leg, next].map(|leg| legs[leg].azimuth.to_degrees());
-        let allowed = if gap < LEAST_GAP {
-            format!("{LEAST_GAP} deg or more from another leg, that at {here:.4} deg")
-        } else if gap > GREATEST_GAP {
-            format!(
-                "less than 180 deg from the leg before it, that at {here:.4} deg: legs surround the centreline"
-            )
-        } else {
-            continue;
-        };
-        let quantity = format!("legs[{}].azimuth_deg", next + 1);
-        return Err(Invalid::new(quantity, azimuth, allowed));
-    }
-    Ok(ring)
 }
 
 /// Solves (11) for the angle γ of the extended strut.
