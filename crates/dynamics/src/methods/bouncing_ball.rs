@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use libm::atan;
 
-use super::system::{System, Vector};
+use super::{System, Vector};
 
 /// A ball over a surface that pushes back in proportion to its penetration.
 #[derive(Debug, Clone, Copy)]

@@ -1,6 +1,6 @@
 //! The methods at a fixed interval: classical Runge-Kutta of order 4, and trapezoidal.
 
-use super::system::{Evaluator, Start, Stepper, System, Taken, Vector};
+use super::{Evaluator, Start, Stepper, System, Taken, Vector};
 
 /// Takes one step of Runge-Kutta; `look` gives derivatives.
 pub(super) fn step<V: Vector>(start: &Start<V>, length: f64, mut look: impl FnMut(&V) -> V) -> V {

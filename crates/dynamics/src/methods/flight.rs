@@ -15,7 +15,7 @@ use crate::touchdown::touchdown;
 use crate::vehicle::Vehicle;
 
 use super::force_model::{ForceModel, Look, Sets};
-use super::system::{Evaluator, Start, Stepper};
+use super::{Evaluator, Start, Stepper};
 
 /// Intervals before a landing is given up.
 const MOST_INTERVALS: u64 = 4_000_000;

@@ -12,7 +12,7 @@ use crate::scene::{Scene, Settings};
 use crate::state::State;
 use crate::vehicle::Vehicle;
 
-use super::system::System;
+use super::System;
 use super::variables;
 
 /// Plastic sets of the elements of each leg.

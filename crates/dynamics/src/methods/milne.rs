@@ -11,7 +11,7 @@ use std::collections::VecDeque;
 use super::fixed_interval::step;
 use super::integration_summary::IntegrationSummary;
 use super::step_doubling::{ErrorCheck, Worst};
-use super::system::{Evaluator, Start, Stepper, System, Taken, Vector};
+use super::{Evaluator, Start, Stepper, System, Taken, Vector};
 use crate::method::Intervals;
 
 /// Doubling multiplies the error by 32 and the allowed error by 2.

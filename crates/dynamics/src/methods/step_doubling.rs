@@ -8,7 +8,7 @@
 
 use super::fixed_interval::step;
 use super::integration_summary::IntegrationSummary;
-use super::system::{Evaluator, Start, Stepper, System, Taken, Vector};
+use super::{Evaluator, Start, Stepper, System, Taken, Vector};
 use crate::method::Intervals;
 
 /// The error of an interval as a share of the allowed error (3.3): greatest truncation errors of the variables per second
