@@ -9,7 +9,7 @@ mod work_precision;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use touchdown::terminal::{failure, interrupt};
+use touchdown::terminal::{self, interrupt};
 use touchdown::{EXIT_CODES, LONG_VERSION};
 use touchdown_figures::picture::Picture;
 
@@ -51,5 +51,5 @@ fn main() -> ExitCode {
         Command::Verdicts(options) => verdicts::run(&options),
         Command::Program(command) => command.run(),
     };
-    failure::exit("touchdown-lab", done)
+    terminal::exit("touchdown-lab", done)
 }

@@ -20,8 +20,7 @@ use touchdown_sweep::output::file_writer::Folder;
 use touchdown_sweep::threads::run::Workers;
 
 use touchdown::finite;
-use touchdown::terminal::failure::Failure;
-use touchdown::terminal::{interrupt, print};
+use touchdown::terminal::{Failure, interrupt, print};
 
 const EXAMPLES: &str = "\
 Examples:

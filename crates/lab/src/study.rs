@@ -25,8 +25,7 @@ use touchdown_input::readers::vehicle_file::VehicleFile;
 use touchdown_sweep::output::file_writer::Folder;
 
 use results::Results;
-use touchdown::terminal::failure::Failure;
-use touchdown::terminal::print_paths;
+use touchdown::terminal::{Failure, print_paths};
 
 const EXAMPLE: &str = "\
 Studies are in feet and pounds, the units of the report that they compare with.

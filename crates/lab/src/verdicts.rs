@@ -23,9 +23,8 @@ use touchdown_sweep::threads::run::Observer;
 
 use draw::{Choice, Draw, Stock};
 
-use touchdown::terminal::failure::Failure;
 use touchdown::terminal::progress::Progress;
-use touchdown::terminal::{interrupt, print};
+use touchdown::terminal::{Failure, interrupt, print};
 
 const EXAMPLES: &str = "\
 Examples:

@@ -14,8 +14,7 @@ use touchdown_input::sweeps::measured_scenes::{level_grid, near_boundary};
 use touchdown_sweep::output::file_writer::Folder;
 
 use landings::Landings;
-use touchdown::terminal::failure::Failure;
-use touchdown::terminal::{print, print_paths};
+use touchdown::terminal::{Failure, print, print_paths};
 use transitions::Transitions;
 
 /// Tolerance of the landings that all others are measured against.

@@ -19,11 +19,10 @@ use touchdown_sweep::summary::findings::Finding;
 use touchdown_sweep::summary::probabilities::wilson;
 use touchdown_sweep::threads::run::Workers;
 
-use crate::failure::Failure;
 use crate::options::UnitsOption;
 use crate::report::degrees;
 use crate::summary::number;
-use crate::terminal::print;
+use crate::terminal::{Failure, print};
 
 const EXAMPLES: &str = "\
 Examples:

@@ -17,10 +17,9 @@ use touchdown_input::documents::library::Library;
 use touchdown_sweep::output::file_writer::Folder;
 use touchdown_sweep::output::output_guard::OutputGuard;
 
-use crate::failure::Failure;
 use crate::options::UnitsOption;
 use crate::summary;
-use crate::terminal::print;
+use crate::terminal::{Failure, print};
 
 const EXAMPLES: &str = "\
 Examples:

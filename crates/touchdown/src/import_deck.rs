@@ -10,8 +10,7 @@ use touchdown_input::readers::deck::{Deck, Run, parse};
 use touchdown_sweep::output::file_writer::Folder;
 use touchdown_sweep::output::output_guard::OutputGuard;
 
-use crate::failure::Failure;
-use crate::terminal::print_paths;
+use crate::terminal::{Failure, print_paths};
 
 const EXAMPLE: &str = "\
 Writes, for each vehicle of the deck, STEM.toml and STEM-cases.csv (STEM-2.toml and so on for

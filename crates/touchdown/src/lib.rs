@@ -14,7 +14,7 @@
 //! | `plot` | pictures of result tables |
 //! | `import_deck`, `new`, `shell` | card decks, starting files, completions and manual page |
 //! | `options` | options that several commands share |
-//! | `terminal` | messages, progress, interruption, files that may be written |
+//! | `terminal` | messages, failures, progress, interruption |
 
 mod ask;
 mod explore;
@@ -37,11 +37,10 @@ use touchdown_sweep::output::results::COMMIT;
 
 pub use options::touchdown_options::finite;
 
-use failure::Failure;
 use landings::{cases, land, observed, report, scene_cases};
 use options::{overrides, solver_options, touchdown_options};
 use sweeps::{axis_words, dry_run, estimate, merge, overview, sweep, sweep_results};
-use terminal::{failure, interrupt, progress, summary};
+use terminal::{Failure, interrupt, progress, summary};
 
 /// How fast sideways may a legged lander touch down before it topples?
 ///
@@ -118,5 +117,5 @@ impl Command {
 /// Runs the program with the arguments that it was started with.
 pub fn main() -> ExitCode {
     interrupt::report_file_limits();
-    failure::exit("touchdown", Cli::parse().command.run())
+    terminal::exit("touchdown", Cli::parse().command.run())
 }

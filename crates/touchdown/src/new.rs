@@ -9,9 +9,8 @@ use clap::{Args, Subcommand, ValueEnum};
 use touchdown_input::documents::input_error::InputError;
 use touchdown_input::documents::output_units::OutputUnits;
 
-use crate::failure::Failure;
 use crate::options::units;
-use crate::terminal::print;
+use crate::terminal::{Failure, print};
 
 const SURVEYOR: &str = include_str!("../../../sweeps/vehicles/surveyor-table-4-1.toml");
 const SURVEYOR_SI: &str = include_str!("../../../sweeps/vehicles/surveyor-si.toml");

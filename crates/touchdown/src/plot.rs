@@ -12,8 +12,7 @@ use touchdown_input::documents::input_error::InputError;
 use touchdown_input::documents::library::Library;
 use touchdown_sweep::output::file_writer::Folder;
 
-use crate::failure::Failure;
-use crate::terminal::print_paths;
+use crate::terminal::{Failure, print_paths};
 
 const EXAMPLES: &str = "\
 Examples:

@@ -4,8 +4,7 @@ use clap::{Args, Command};
 use clap_complete::Shell;
 use touchdown_input::documents::input_error::InputError;
 
-use crate::failure::Failure;
-use crate::terminal::print;
+use crate::terminal::{Failure, print};
 
 /// Options of `completions`.
 #[derive(Debug, Args)]

@@ -19,12 +19,11 @@ use touchdown_input::points::parameter::Parameter;
 use touchdown_input::readers::vehicle_file::VehicleFile;
 use touchdown_sweep::threads::run::Observer;
 
-use crate::failure::Failure;
 use crate::interrupt;
 use crate::options::UnitsOption;
 use crate::progress::Progress;
 use crate::report::degrees;
-use crate::terminal::print;
+use crate::terminal::{Failure, print};
 use crate::touchdown_options::{finite, triple};
 
 /// Seed of the timing errors: the same command gives the same numbers.

@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 
 use touchdown_sweep::journal::{Access, InOrder, JournalError, Records};
 
-use touchdown::terminal::failure::Failure;
+use touchdown::terminal::Failure;
 
 /// Time between two checks of a run.
 const POLL_INTERVAL: Duration = Duration::from_micros(200);

@@ -13,7 +13,7 @@ use touchdown_input::sweeps::sweep_file::Sweep;
 
 use super::killed_run::{KilledRun, RunState, journaled, results};
 use super::{Bench, SURVEYOR, SURVEYOR_FILE};
-use touchdown::terminal::failure::Failure;
+use touchdown::terminal::Failure;
 
 const SWEEP: &str = include_str!("../../../../sweeps/stress/killed.toml");
 /// Name of the sweep, and of its results.

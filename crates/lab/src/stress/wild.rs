@@ -13,10 +13,9 @@ use super::account::Account;
 use super::case_table::{self, Reasons};
 use super::watchdog::Watchdog;
 use super::wild_sweep::WildSweep;
-use touchdown::terminal::failure::Failure;
-use touchdown::terminal::print;
 use touchdown::terminal::progress::Progress;
 use touchdown::terminal::summary;
+use touchdown::terminal::{Failure, print};
 
 /// Names of what is written.
 const CASES: &str = "stress-cases.csv";

@@ -7,7 +7,7 @@ use touchdown_dynamics::vehicle::Vehicle;
 use super::answer::Answer;
 use super::results::Results;
 use super::{judged_landings, level_claims, planar_claims, tipped_claims};
-use touchdown::terminal::failure::Failure;
+use touchdown::terminal::Failure;
 
 /// The claims of Section 4.2, embedded so that the program and the list cannot drift apart.
 const CLAIMS: &str = include_str!("../../../dynamics/tests/reference/claims-1966.csv");

@@ -11,7 +11,7 @@ use touchdown_dynamics::vehicle::Vehicle;
 use super::answer::{signed, speed};
 use super::results::Results;
 use super::special::runs::scene;
-use touchdown::terminal::failure::Failure;
+use touchdown::terminal::Failure;
 
 /// Table 4-3 of the report.
 const TABLE_4_3: &str = include_str!("../../../dynamics/tests/reference/table-4-3.csv");

@@ -8,7 +8,7 @@ use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_figures::picture::{self, Choices, Source};
 
 use super::flights::{self, AZIMUTH_SPEED, INTERVAL, Moment};
-use touchdown::terminal::failure::Failure;
+use touchdown::terminal::Failure;
 
 /// Tip azimuths shown, deg: those that the report compares and their mirror images.
 const AZIMUTHS: [f64; 4] = [90.0, -90.0, 112.5, -112.5];

@@ -5,7 +5,7 @@ use touchdown_dynamics::vehicle::Vehicle;
 
 use super::answer::{Answer, Verdict};
 use super::flights::{self, AZIMUTH_SPEED, LandingRun};
-use touchdown::terminal::failure::Failure;
+use touchdown::terminal::Failure;
 
 /// C11: the landing of Table 4-3.
 pub fn table_4_3(vehicle: &Vehicle) -> Result<Answer, Failure> {

@@ -17,8 +17,7 @@ use touchdown_sweep::threads::run::Workers;
 use super::answer::signed;
 use super::results::Results;
 use super::special::runs::{self, control, first_intervals, settings};
-use touchdown::terminal::failure::Failure;
-use touchdown::terminal::interrupt;
+use touchdown::terminal::{Failure, interrupt};
 
 /// Name of the table.
 pub const TABLE: &str = "scatter.csv";

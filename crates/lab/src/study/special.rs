@@ -11,7 +11,7 @@ mod strut_return;
 
 use touchdown_dynamics::vehicle::Vehicle;
 
-use touchdown::terminal::failure::Failure;
+use touchdown::terminal::Failure;
 
 /// Name of the page.
 pub const PAGE: &str = "special-studies.md";

@@ -13,8 +13,7 @@ use touchdown_sweep::output::file_writer::Folder;
 
 use super::draw::{Draw, HIGHEST, Stock, like};
 use super::{LIMIT, Options, land_all, of_all_draws, settings};
-use touchdown::terminal::failure::Failure;
-use touchdown::terminal::print;
+use touchdown::terminal::{Failure, print};
 
 /// Speeds at which the first transition is looked for: so many, so far apart, ft/s.
 const SPEEDS: u32 = 16;

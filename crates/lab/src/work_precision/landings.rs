@@ -12,7 +12,7 @@ use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 
 use super::{CONVERGED, settings};
-use touchdown::terminal::failure::Failure;
+use touchdown::terminal::Failure;
 
 /// Times at which trajectories are compared, in intervals of 0.1 s.
 const COMPARED: [usize; 2] = [3, 10];

@@ -8,7 +8,7 @@ use touchdown_dynamics::vehicle::Vehicle;
 
 use super::landings::median_and_worst;
 use super::settings;
-use touchdown::terminal::failure::Failure;
+use touchdown::terminal::Failure;
 
 /// Scan for first transitions, ft/s, and its tolerance.
 const HIGHEST: f64 = 25.0;

@@ -15,9 +15,8 @@ use touchdown_sweep::summary::findings::Finding;
 use touchdown_sweep::threads::run::Workers;
 use touchdown_sweep::threads::runner::{Runner, Task};
 
-use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::terminal::print;
+use crate::terminal::{Failure, print};
 use crate::{interrupt, summary};
 
 /// Lands all cases and writes their results to `out`. Until then they are in a journal beside it, from which an

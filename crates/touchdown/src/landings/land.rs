@@ -19,11 +19,10 @@ use touchdown_sweep::output::landing_report::{self, LandingReport};
 use touchdown_sweep::output::output_guard::OutputGuard;
 use touchdown_sweep::threads::run::Workers;
 
-use crate::failure::Failure;
 use crate::observed::{Observed, ended, interval, is_history};
 use crate::options::UnitsOption;
 use crate::solver_options::SolverOptions;
-use crate::terminal::print;
+use crate::terminal::{Failure, print};
 use crate::touchdown_options::{TouchdownOptions, finite};
 use crate::{cases, interrupt, report, scene_cases};
 

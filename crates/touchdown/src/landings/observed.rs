@@ -12,7 +12,7 @@ use touchdown_input::documents::input_error::InputError;
 use touchdown_sweep::output::file_writer::{Draft, WriteError};
 use touchdown_sweep::output::history::History;
 
-use crate::failure::Failure;
+use crate::terminal::Failure;
 
 /// Most instants in a history: a hundred times what the longest landing needs at 0.01 s.
 const LONGEST_HISTORY: f64 = 1e7;

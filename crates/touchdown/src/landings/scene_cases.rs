@@ -14,11 +14,10 @@ use touchdown_sweep::output::output_guard::OutputGuard;
 use touchdown_sweep::output::{case_results, landing_report};
 use touchdown_sweep::threads::run::Observer;
 
-use crate::failure::Failure;
 use crate::observed::{Observed, ended, interval, is_history};
 use crate::progress::Progress;
 use crate::report::degrees;
-use crate::terminal::print;
+use crate::terminal::{Failure, print};
 use crate::{interrupt, summary};
 
 /// Time after which progress is shown.

@@ -23,8 +23,8 @@ use touchdown_sweep::threads::run::{Observer, RunError, Workers};
 
 use crate::axis_words;
 use crate::estimate::{Estimate, Sample, Taken, evenly};
-use crate::failure::Failure;
 use crate::summary::number;
+use crate::terminal::Failure;
 
 /// Time that is spent on one sweep, and on all of them.
 const TIME_FOR_ONE: Duration = Duration::from_secs(4);

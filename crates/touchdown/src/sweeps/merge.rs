@@ -12,11 +12,10 @@ use touchdown_sweep::output::file_writer::Folder;
 use touchdown_sweep::output::results::Circumstances;
 use touchdown_sweep::output::{result_files, tables};
 
-use crate::failure::Failure;
 use crate::options::UnitsOption;
 use crate::summary;
 use crate::sweep_results::{self, Format};
-use crate::terminal::print;
+use crate::terminal::{Failure, print};
 
 const EXAMPLE: &str = "\
 Example:

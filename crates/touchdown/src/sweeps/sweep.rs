@@ -19,11 +19,10 @@ use touchdown_sweep::output::results::Circumstances;
 use touchdown_sweep::threads::run::Workers;
 use touchdown_sweep::threads::runner::{self, Runner, Task};
 
-use crate::failure::Failure;
 use crate::overrides::OverrideOptions;
 use crate::progress::Progress;
 use crate::sweep_results::{self, Format, Written};
-use crate::terminal::print;
+use crate::terminal::{Failure, print};
 use crate::{dry_run, interrupt, overview, summary};
 
 const EXAMPLE: &str = "\

@@ -14,8 +14,8 @@ use touchdown_sweep::output::results::Circumstances;
 use touchdown_sweep::output::tables::Tables;
 use touchdown_sweep::summary::sweep_counts::SweepCounts;
 
-use crate::failure::Failure;
 use crate::plot;
+use crate::terminal::Failure;
 
 /// Longest table that is drawn, bytes: beyond it nothing could be made out. Of a table over more axes than
 /// pictures can show, the worst case over the others is drawn, so that it may be longer.

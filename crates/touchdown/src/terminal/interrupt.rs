@@ -12,7 +12,7 @@ use std::time::Duration;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag::{register, register_conditional_shutdown};
 
-use crate::failure::{Failure, INTERRUPTED};
+use crate::terminal::{Failure, INTERRUPTED};
 
 /// Longest time from an interruption to the end of the program.
 const PATIENCE: Duration = Duration::from_millis(1700);

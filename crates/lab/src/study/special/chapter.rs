@@ -1,6 +1,6 @@
 //! A chapter of the special studies: its text and its picture.
 
-use touchdown::terminal::failure::Failure;
+use touchdown::terminal::Failure;
 use touchdown_figures::caption::Caption;
 use touchdown_figures::line_chart::{Axis, LineChart, Panel, draw};
 

@@ -8,7 +8,7 @@ use touchdown_figures::line_chart::{Axis, Curve, Panel, Stroke};
 
 use super::chapter::{Chapter, chart};
 use super::runs::{Run, first_intervals, median, report, sample_run, settings};
-use touchdown::terminal::failure::Failure;
+use touchdown::terminal::Failure;
 
 /// E(γ̇) and E(ω), deg/s per second, and the report's computer time to problem time.
 const SPECIFICATIONS: [(f64, f64, u32); 7] = [

@@ -10,7 +10,7 @@ use touchdown_figures::line_chart::{Axis, Curve, Panel, Stroke};
 
 use super::chapter::{Chapter, chart};
 use super::runs::{Run, control, sample_run, settings};
-use touchdown::terminal::failure::Failure;
+use touchdown::terminal::Failure;
 
 /// Least intervals of the report's program, before and after 4.1.5, s.
 const LEAST: [f64; 2] = [1e-6, 1e-5];

@@ -13,7 +13,7 @@ use touchdown_figures::line_chart::{Axis, Curve, Panel, Stroke};
 
 use super::chapter::{Chapter, chart};
 use super::runs::{Run, first_intervals, report, sample_run, scene, settings};
-use touchdown::terminal::failure::Failure;
+use touchdown::terminal::Failure;
 
 /// First intervals tried for one that leads onto the printed branch: one in seven does.
 const CANDIDATES: usize = 100;

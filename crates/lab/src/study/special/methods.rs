@@ -11,7 +11,7 @@ use touchdown_figures::line_chart::{Axis, Curve, Panel, Stroke};
 use super::ball::ball;
 use super::chapter::{Chapter, chart};
 use super::runs::{Run, control, sample_run, settings, settings_at};
-use touchdown::terminal::failure::Failure;
+use touchdown::terminal::Failure;
 
 /// Factors of the report's error limits.
 const SCALES: [f64; 4] = [1.0, 1e-1, 1e-2, 1e-3];

@@ -7,7 +7,7 @@ use touchdown_dynamics::scene::{Scene, Settings};
 use touchdown_dynamics::vehicle::Vehicle;
 use touchdown_input::readers::scene_input::NamedConditions;
 
-use touchdown::terminal::failure::Failure;
+use touchdown::terminal::Failure;
 
 /// The sample run of 3.4.5.
 const SAMPLE_RUN: [(&str, f64); 6] = [

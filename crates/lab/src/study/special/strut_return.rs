@@ -12,7 +12,7 @@ use touchdown_figures::line_chart::{Axis, Curve, Panel, Stroke};
 
 use super::chapter::{Chapter, chart};
 use super::runs::{sample_run, settings};
-use touchdown::terminal::failure::Failure;
+use touchdown::terminal::Failure;
 use touchdown_dynamics::methods::Method;
 
 /// How far the freed leg is pressed in, rad.
