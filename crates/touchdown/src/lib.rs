@@ -8,39 +8,41 @@
 //!
 //! | floor | what |
 //! |---|---|
-//! | `main`, `lib` | the commands |
+//! | `main`, `lib` | the commands; completions and manual page |
 //! | `explore` | the explorer |
-//! | `landings`, `sweeps`, `ask`, `surface` | `land`; `sweep` and `merge`; V_H at one place; the surface from impact times |
+//! | `land`, `sweep`, `merge`, `ask`, `surface` | one landing, scene files, tables of cases; sweeps and their shards; V_H at one place; the surface from impact times |
 //! | `plot` | pictures of result tables |
-//! | `import_deck`, `new`, `shell` | card decks, starting files, completions and manual page |
+//! | `import_deck`, `new` | card decks, starting files |
 //! | `options` | options that several commands share |
 //! | `terminal` | messages, failures, progress, interruption |
 
 mod ask;
 mod explore;
 mod import_deck;
-mod landings;
+mod land;
+mod merge;
 mod new;
 mod options;
 mod plot;
-mod shell;
 mod surface;
-mod sweeps;
+mod sweep;
 pub mod terminal;
 
 use std::process::ExitCode;
 use std::sync::LazyLock;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{Args, CommandFactory, Parser, Subcommand};
+use clap_complete::Shell;
 use touchdown_dynamics::model_version::MODEL_VERSION;
+use touchdown_input::documents::input_error::InputError;
 use touchdown_sweep::output::results::COMMIT;
 
 pub use options::touchdown_options::finite;
 
-use landings::{cases, land, observed, report, scene_cases};
-use options::{overrides, solver_options, touchdown_options};
-use sweeps::{axis_words, dry_run, estimate, merge, overview, sweep, sweep_results};
-use terminal::{Failure, interrupt, progress, summary};
+use land::{observed, report};
+use options::{solver_options, touchdown_options};
+use sweep::{axis_words, estimate, sweep_results};
+use terminal::{Failure, interrupt, print, progress, summary};
 
 /// How fast sideways may a legged lander touch down before it topples?
 ///
@@ -87,9 +89,24 @@ pub enum Command {
     /// Convert a card deck of the 1966 program to vehicle files, a scene file and tables of cases
     ImportDeck(import_deck::Options),
     /// Print completions for a shell
-    Completions(shell::Completions),
+    Completions(Completions),
     /// Print a manual page (roff)
-    Man(shell::Manual),
+    Man(Manual),
+}
+
+/// Options of `completions`.
+#[derive(Debug, Args)]
+pub struct Completions {
+    /// The shell
+    shell: Shell,
+}
+
+/// Options of `man`.
+#[derive(Debug, Args)]
+pub struct Manual {
+    /// Print the page of this command instead of that of the program
+    #[arg(value_name = "COMMAND")]
+    command: Option<String>,
 }
 
 impl Command {
@@ -108,10 +125,39 @@ impl Command {
             Self::New(options) => new::run(&options),
             Self::Surface(options) => surface::run(&options),
             Self::ImportDeck(options) => import_deck::run(&options),
-            Self::Completions(options) => shell::completions(&options, Cli::command()),
-            Self::Man(options) => shell::manual(&options, Cli::command()),
+            Self::Completions(options) => completions(&options),
+            Self::Man(options) => manual(&options),
         }
     }
+}
+
+/// Prints the completions of the program.
+fn completions(options: &Completions) -> Result<(), Failure> {
+    let mut script = Vec::new();
+    clap_complete::generate(options.shell, &mut Cli::command(), "touchdown", &mut script);
+    print(&String::from_utf8_lossy(&script))
+}
+
+/// Prints the manual page of the program, or of one of its commands.
+fn manual(options: &Manual) -> Result<(), Failure> {
+    let mut program = Cli::command();
+    program.build();
+    let page = match &options.command {
+        None => program,
+        Some(name) => {
+            let command = program.find_subcommand(name).cloned();
+            let names = program.get_subcommands().map(clap::Command::get_name);
+            let names = names.collect::<Vec<_>>().join(", ");
+            command.ok_or_else(|| {
+                InputError::other(format!("there is no command {name}: expected {names}"))
+            })?
+        }
+    };
+    let mut text = Vec::new();
+    clap_mangen::Man::new(page)
+        .render(&mut text)
+        .map_err(Failure::running)?;
+    print(&String::from_utf8_lossy(&text))
 }
 
 /// Runs the program with the arguments that it was started with.

@@ -1,5 +1,10 @@
 //! `touchdown land`: one landing, with `--cases` one for each row of a table, or the cases of a scene file.
 
+mod cases;
+pub mod observed;
+pub mod report;
+mod scene_cases;
+
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -19,12 +24,12 @@ use touchdown_sweep::output::landing_report::{self, LandingReport};
 use touchdown_sweep::output::output_guard::OutputGuard;
 use touchdown_sweep::threads::run::Workers;
 
+use crate::interrupt;
 use crate::observed::{Observed, ended, interval, is_history};
 use crate::options::UnitsOption;
 use crate::solver_options::SolverOptions;
 use crate::terminal::{Failure, print};
 use crate::touchdown_options::{TouchdownOptions, finite};
-use crate::{cases, interrupt, report, scene_cases};
 
 const USAGE: &str = "\
 touchdown land --vehicle <FILE> [OPTIONS]

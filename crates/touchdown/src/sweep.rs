@@ -1,5 +1,11 @@
 //! `touchdown sweep`: the boundary of stable landings over grids of conditions.
 
+pub mod axis_words;
+mod dry_run;
+pub mod estimate;
+mod overview;
+pub mod sweep_results;
+
 use std::num::NonZeroUsize;
 use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
@@ -19,11 +25,11 @@ use touchdown_sweep::output::results::Circumstances;
 use touchdown_sweep::threads::run::Workers;
 use touchdown_sweep::threads::runner::{self, Runner, Task};
 
-use crate::overrides::OverrideOptions;
+use crate::options::OverrideOptions;
 use crate::progress::Progress;
-use crate::sweep_results::{self, Format, Written};
 use crate::terminal::{Failure, print};
-use crate::{dry_run, interrupt, overview, summary};
+use crate::{interrupt, summary};
+use sweep_results::{Format, Written};
 
 const EXAMPLE: &str = "\
 Example:
