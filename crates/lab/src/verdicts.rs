@@ -17,7 +17,7 @@ use touchdown_dynamics::land::land_observed;
 use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_dynamics::model_version::MODEL_VERSION;
 use touchdown_dynamics::outcome::{Class, Outcome};
-use touchdown_dynamics::scene::Settings;
+use touchdown_dynamics::scene::{Settings, Stop};
 use touchdown_sweep::output::file_writer::{Folder, WriteError};
 use touchdown_sweep::threads::run::Observer;
 
@@ -149,7 +149,7 @@ impl Fate {
             let landings: Result<Vec<(&Draw, Settings)>, Failure> = (due.iter())
                 .map(|&index| {
                     let settings = settings(verdicts[index].end_time + wait)?;
-                    Ok((&draws[index], settings.beyond_verdict()))
+                    Ok((&draws[index], settings.stopping_at(Stop::Time)))
                 })
                 .collect();
             for (index, landing) in due.into_iter().zip(land_all(landings?.into_iter())) {
@@ -216,7 +216,7 @@ fn drift(draw: &Draw, end: f64) -> Result<f64, Failure> {
             places.push((instant.time, instant.position));
         }
     };
-    let settings = settings(end)?.beyond_verdict();
+    let settings = settings(end)?.stopping_at(Stop::Time);
     land_observed(&draw.vehicle, &draw.scene, &settings, 1.0, &mut observe);
     Ok(match places[..] {
         [(from, a), .., (to, b)] if to > from => (b - a).xy().norm() / (to - from),
@@ -376,7 +376,7 @@ fn course(draw: &Draw, limit: f64) -> Result<String, Failure> {
     let mut lines =
         "  time, s  sigma, deg  tilt, deg  height, ft  speed, ft/s  pads and struts, lb\n"
             .to_owned();
-    let settings = settings(limit)?.beyond_verdict();
+    let settings = settings(limit)?.stopping_at(Stop::Time);
     let mut observe = |instant: &Instant| {
         let loads = instant
             .legs

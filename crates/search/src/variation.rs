@@ -3,7 +3,7 @@
 use touchdown_dynamics::attitude::{Attitude, Euler};
 use touchdown_dynamics::invalid::Invalid;
 use touchdown_dynamics::quantities::TOLERANCE;
-use touchdown_dynamics::scene::{Conditions, Scene, Settings};
+use touchdown_dynamics::scene::{Conditions, Scene, Settings, Stop};
 
 /// A change in how a landing is computed, for a scan or a test.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,13 +24,13 @@ pub enum Variation {
 }
 
 impl Variation {
-    /// Applies the variation to a scene and settings.
+    /// Applies the variation to a scene and settings. The landing ends at its verdict.
     ///
     /// # Errors
     /// If the changed scene or settings are invalid.
     pub fn of(self, scene: &Scene, settings: &Settings) -> Result<(Scene, Settings), Invalid> {
         let conditions = *scene.conditions();
-        let mut settings = *settings;
+        let mut settings = settings.stopping_at(Stop::Verdict);
         let mut tilt = 0.0;
         match self {
             Self::Unchanged => {}

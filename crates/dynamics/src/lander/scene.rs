@@ -1,7 +1,7 @@
 //! The touchdown: speed, direction, attitude, slope and friction; and settings of the computation.
 
 use super::ground::Ground;
-pub use super::settings::Settings;
+pub use super::settings::{Settings, Stop};
 use super::thrust::Thrust;
 use super::vehicle::Vehicle;
 use crate::attitude::Attitude;

@@ -6,6 +6,19 @@ use crate::invalid::Invalid;
 use crate::quantities::{TIME_LIMIT, TOLERANCE};
 use crate::rules::{ContactRule, CrushRule, FrictionProfile, RuleChoices, Rules};
 
+/// When a landing ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Stop {
+    /// At its verdict, as soon as that is known: for searches. Strokes and loads may still grow after it.
+    Verdict,
+    /// At its verdict, which waits, if it is that the vehicle stands, until hardly any motion is left: strokes, loads and
+    /// clearances are those of the whole landing. The rules of 1966 wait for nothing.
+    #[default]
+    Rest,
+    /// At the time limit, or where the model ends. The verdict is noted as soon as it is known.
+    Time,
+}
+
 /// Settings of the computation of a landing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
@@ -15,7 +28,7 @@ pub struct Settings {
     method: Method,
     friction_profile: FrictionProfile,
     ends_early: bool,
-    goes_on: bool,
+    stop: Stop,
 }
 
 impl Default for Settings {
@@ -27,7 +40,7 @@ impl Default for Settings {
             method: Method::default(),
             friction_profile: FrictionProfile::default(),
             ends_early: false,
-            goes_on: false,
+            stop: Stop::default(),
         }
     }
 }
@@ -109,25 +122,19 @@ impl Settings {
         }
     }
 
-    /// Returns these settings with landings that go on beyond their verdicts, to the time limit or until the model ends.
-    pub fn beyond_verdict(self) -> Self {
-        Self {
-            goes_on: true,
-            ..self
-        }
+    /// Returns these settings with landings that end there.
+    pub fn stopping_at(self, stop: Stop) -> Self {
+        Self { stop, ..self }
     }
 
-    /// Returns these settings with landings that end at their verdicts: for callers that need only the verdict.
-    pub fn up_to_verdict(self) -> Self {
-        Self {
-            goes_on: false,
-            ..self
-        }
+    /// When a landing ends.
+    pub fn stop(&self) -> Stop {
+        self.stop
     }
 
     /// Returns whether a landing goes on beyond its verdict.
     pub fn goes_on(&self) -> bool {
-        self.goes_on
+        self.stop == Stop::Time
     }
 
     /// Returns whether steady landings end early.

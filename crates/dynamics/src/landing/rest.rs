@@ -1,9 +1,9 @@
 //! Rest: a vehicle is at rest once it has stood for a while on supports that hold it.
 //!
 //! Supports are feet and blocks, each with the fall left to its own ground. A set of them holds the vehicle if the CG
-//! is over it and lifting the CG over any edge of it takes twice the energy that may move the vehicle: its kinetic
+//! is over it and lifting the CG over any edge of it takes some times the energy that may move the vehicle: its kinetic
 //! energy, and that of the fall until all of the set stand. Struts and pads that still push back add to that energy;
-//! the wait gives them time to. Under an engine that stays on it has to take fifty times that energy.
+//! the wait gives them time to.
 
 use arrayvec::ArrayVec;
 use libm::sqrt;
@@ -14,14 +14,18 @@ use super::trajectory::Trajectory;
 use crate::energy::kinetic;
 use crate::kinematics::BodyFrame;
 use crate::motion::Signal;
-use crate::scene::Scene;
-use crate::vehicle::Vehicle;
+use crate::outcome::Outcome;
+use crate::scene::{Scene, Settings, Stop};
+use crate::vehicle::{Legs, Vehicle};
 
-/// Greatest share of the toppling energy that a held vehicle may have.
-const SHARE: f64 = 0.5;
-/// Greatest such share under an engine that stays on. A vehicle that is light on its feet loses little energy at each
-/// hop, and a slope gives it back.
-const SHARE_UNDER_THRUST: f64 = 0.02;
+/// Greatest share of the toppling energy that a vehicle held on hinged legs may have, where its verdict does not wait
+/// ([`Stop::Rest`]).
+const SHARE_ON_HINGED_LEGS: f64 = 0.5;
+/// The same on legs of three struts, which may hardly damp: such a vehicle hops for long.
+const SHARE_ON_THREE_STRUTS: f64 = 0.1;
+/// The same where the verdict waits, and under an engine that stays on. A vehicle that is light on its feet
+/// loses little energy at each hop, and a slope gives it back.
+const SETTLED_SHARE: f64 = 0.02;
 /// Time that the vehicle must stand to be at rest, or its CG be beyond its feet to have toppled, in free falls of the
 /// CG from its height on extended legs.
 pub(super) const WHILE: f64 = 0.4;
@@ -44,7 +48,20 @@ pub(super) struct Rest {
     friction: [f64; 2],
     /// Friction under supports that stick, as a multiple of that.
     static_ratio: f64,
+    /// True if the verdict waits until hardly any motion is left.
+    waits: bool,
+    stands: Held,
+    settled: Held,
+}
+
+/// Since when the vehicle has had at most a share of the toppling energy.
+#[derive(Debug, Clone)]
+struct Held {
+    /// Greatest share under the weight alone.
+    share: f64,
     since: Option<f64>,
+    /// True once it has had no more for long enough.
+    is_long_enough: bool,
 }
 
 /// A foot or block that the vehicle stands on, or will after a small fall.
@@ -77,8 +94,8 @@ pub(super) struct Pull {
     axes: Matrix3<f64>,
     /// Offset of its line of action from the CG, ft.
     beside: Vector3<f64>,
-    /// Greatest share of the toppling energy that a vehicle held against it may have.
-    share: f64,
+    /// True if an engine that stays on is part of it.
+    has_thrust: bool,
 }
 
 /// A landing as the judge of rest sees it.
@@ -111,7 +128,7 @@ impl Pull {
             force: weight,
             axes: Matrix3::identity(),
             beside: Vector3::zeros(),
-            share: SHARE,
+            has_thrust: false,
         }
     }
 
@@ -136,7 +153,7 @@ impl Pull {
                     down.transpose(),
                 ]),
                 beside: pull.cross(moment) / squared,
-                share: SHARE_UNDER_THRUST,
+                has_thrust: true,
             }
         })
     }
@@ -163,9 +180,19 @@ impl Pull {
     }
 }
 
+impl Held {
+    fn with(share: f64) -> Self {
+        Self {
+            share,
+            since: None,
+            is_long_enough: false,
+        }
+    }
+}
+
 impl Rest {
-    /// For a vehicle in a scene.
-    pub(super) fn new(vehicle: &Vehicle, scene: &Scene) -> Self {
+    /// For a landing of a vehicle in a scene.
+    pub(super) fn new(vehicle: &Vehicle, scene: &Scene, settings: &Settings) -> Self {
         let (height, gravity) = (vehicle.standing_height(), scene.gravity(vehicle));
         let conditions = scene.conditions();
         Self {
@@ -173,7 +200,12 @@ impl Rest {
             creep: CREEP * sqrt(2.0 * height * gravity),
             friction: [conditions.pad_friction, conditions.block_friction],
             static_ratio: conditions.static_friction_ratio.unwrap_or(1.0),
-            since: None,
+            waits: settings.stop() == Stop::Rest,
+            stands: Held::with(match vehicle.legs() {
+                Legs::Hinged(_) => SHARE_ON_HINGED_LEGS,
+                Legs::ThreeStrut(_) => SHARE_ON_THREE_STRUTS,
+            }),
+            settled: Held::with(SETTLED_SHARE),
         }
     }
 
@@ -181,22 +213,57 @@ impl Rest {
     #[cold]
     #[inline(never)]
     pub(super) fn note(&mut self, landing: &impl Standing) -> bool {
-        let held = (landing.pull_at_rest()).filter(|pull| self.holds(landing, pull));
-        let Some(pull) = held else {
-            self.since = None;
-            return false;
+        if !self.stands.is_long_enough {
+            self.stands = self.noted(&self.stands, landing);
+        }
+        if !self.waits {
+            return self.stands.is_long_enough;
+        }
+        self.settled = match self.stands.since {
+            Some(_) => self.noted(&self.settled, landing),
+            None => Held::with(SETTLED_SHARE),
         };
-        let time = landing.time();
-        let since = *self.since.get_or_insert(time);
-        let acceleration = pull.force / landing.mass();
-        time - since >= WHILE * free_fall(self.height, acceleration)
+        self.settled.is_long_enough
     }
 
-    /// Returns whether supports hold the vehicle now.
-    fn holds(&self, landing: &impl Standing, pull: &Pull) -> bool {
+    /// Returns since when the vehicle has been held, if it is held now.
+    fn noted(&self, held: &Held, landing: &impl Standing) -> Held {
+        let pull = landing.pull_at_rest();
+        let Some(pull) = pull.filter(|pull| self.holds(landing, pull, held.share)) else {
+            return Held::with(held.share);
+        };
+        let since = held.since.unwrap_or(landing.time());
+        let long = WHILE * free_fall(self.height, pull.force / landing.mass());
+        Held {
+            since: Some(since),
+            is_long_enough: landing.time() - since >= long,
+            ..*held
+        }
+    }
+
+    /// The outcome of a landing that ends with this one. It is stable if the computation ends while the vehicle stands and only
+    /// its verdict waits.
+    pub(super) fn ended(&self, outcome: Outcome, landing: &impl Standing) -> Outcome {
+        let is_cut_short = matches!(outcome, Outcome::TimeExpired | Outcome::Failure(_));
+        let stands = || {
+            let pull = landing.pull_at_rest();
+            pull.is_some_and(|pull| self.holds(landing, &pull, self.stands.share))
+        };
+        match self.waits && self.stands.is_long_enough && is_cut_short && stands() {
+            true => Outcome::StableSubsided,
+            false => outcome,
+        }
+    }
+
+    /// Returns whether supports hold the vehicle now, with at most this share of the toppling energy under the weight alone.
+    fn holds(&self, landing: &impl Standing, pull: &Pull, share: f64) -> bool {
+        let share = match pull.has_thrust {
+            true => SETTLED_SHARE,
+            false => share,
+        };
         // Height to which the energy of motion would lift the CG.
         let lift = landing.kinetic_energy() / pull.force;
-        if lift > pull.share * landing.farthest_foot() {
+        if lift > share * landing.farthest_foot() {
             return false;
         }
         let speed = (pull.axes * landing.velocity()).xy().norm();
@@ -208,7 +275,7 @@ impl Rest {
             let hull = Hull::of(&places[..count]);
             let fall = supports[count - 1].fall;
             hull.has_center()
-                && pull.share * hull.least_rise() - fall >= lift
+                && share * hull.least_rise() - fall >= lift
                 && self.stops_by_friction(landing, &supports[..count], speed, pull.force)
                 && (supports[..count].iter().enumerate()).all(|(index, support)| {
                     let load = pull.force * hull.greatest_share(index);
@@ -415,9 +482,11 @@ mod tests {
             creep: 0.0,
             friction: [0.3; 2],
             static_ratio,
-            since: None,
+            waits: false,
+            stands: Held::with(SHARE_ON_HINGED_LEGS),
+            settled: Held::with(SETTLED_SHARE),
         };
-        rest.holds(landing, &Pull::of_weight(100.0))
+        rest.holds(landing, &Pull::of_weight(100.0), SHARE_ON_HINGED_LEGS)
     }
 
     #[test]

@@ -76,7 +76,7 @@ impl<'o> Simulation<'o> {
             trajectory,
             stability: StabilityTrack::new(monitor, vehicle, scene),
             steadiness: Steadiness::new(vehicle, scene, settings, rules.rest),
-            rest: (rules.rest == RestRule::Energy).then(|| Rest::new(vehicle, scene)),
+            rest: (rules.rest == RestRule::Energy).then(|| Rest::new(vehicle, scene, settings)),
             control: StepControl::new(FIRST_STEP),
             attempts: 0,
             burst: (0, 0.0),
@@ -327,6 +327,10 @@ impl<'o> Simulation<'o> {
 
     /// Result of the landing.
     pub(crate) fn result(&self, outcome: Outcome) -> Landing {
+        let outcome = match &self.rest {
+            Some(rest) => rest.ended(outcome, &self.trajectory),
+            None => outcome,
+        };
         let topples = (self.stability.is_beyond()).then_some(self.trajectory.time);
         let settings = &self.trajectory.settings;
         with_verdict(self.noted.clone(), topples, outcome, settings, |outcome| {

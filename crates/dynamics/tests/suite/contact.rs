@@ -24,7 +24,7 @@ use touchdown_dynamics::motion::Signal;
 use touchdown_dynamics::outcome::{Class, Failure, Outcome};
 use touchdown_dynamics::parts::PadEdge;
 use touchdown_dynamics::rules::{ContactRule, FrictionProfile};
-use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
+use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings, Stop};
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::vehicle::{Leg, Vehicle};
 
@@ -84,7 +84,7 @@ fn given(instants: &[Instant], scale: f64) -> f64 {
 /// A wild landing for some seconds beyond its verdict: what it came to, and the most that contact gave over the energy at contact.
 fn followed((vehicle, scene): &(Vehicle, Scene), rule: ContactRule) -> (Landing, f64) {
     let settings = Settings::new(1e-6, 5.0, CrushRule::Section).unwrap();
-    let settings = settings.with_contact_rule(rule).beyond_verdict();
+    let settings = settings.with_contact_rule(rule).stopping_at(Stop::Time);
     let (landing, instants) = history(vehicle, scene, &settings, 0.01);
     let given = given(&instants, landing.energies.initial_kinetic);
     (landing, given)

@@ -10,7 +10,7 @@ use touchdown_dynamics::outcome::{Class, Failure, Outcome};
 use touchdown_dynamics::parts::PadEdge;
 use touchdown_dynamics::rules::CrushRule;
 use touchdown_dynamics::rules::Rules;
-use touchdown_dynamics::scene::{Conditions, Scene};
+use touchdown_dynamics::scene::{Conditions, Scene, Stop};
 use touchdown_dynamics::vehicle::{Leg, Vehicle};
 
 fn lander(edge: Option<PadEdge>) -> Vehicle {
@@ -52,7 +52,7 @@ fn a_pad_on_its_edge_bears_on_where_there_was_no_law() {
     let mut went_on = 0;
     for k in 0..40 {
         let scene = wild(k);
-        let beyond = settings(1e-7).beyond_verdict();
+        let beyond = settings(1e-7).stopping_at(Stop::Time);
         let failed = land(&without, &scene, &beyond);
         let landing = land(&with, &scene, &beyond);
         let end = |landing: &touchdown_dynamics::landing::Landing| {

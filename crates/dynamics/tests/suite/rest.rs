@@ -10,7 +10,7 @@ use touchdown_dynamics::land::land_observed;
 use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_dynamics::outcome::Outcome;
 use touchdown_dynamics::rules::{CrushRule, RestRule, RuleChoices, Rules};
-use touchdown_dynamics::scene::{Conditions, Scene, Settings};
+use touchdown_dynamics::scene::{Conditions, Scene, Settings, Stop};
 use touchdown_dynamics::thrust::Thrust;
 use touchdown_dynamics::vehicle::{Honeycomb, Leg, StrutElement, Vehicle};
 
@@ -69,6 +69,7 @@ fn afterwards(rule: RestRule, time_limit: f64) -> Afterwards {
         rest: Some(rule),
         ..settings.rule_choices()
     });
+    let settings = settings.stopping_at(Stop::Verdict);
     let mut found = Afterwards::default();
     let touchdowns = fixed_list(&usual_conditions(), 30).into_iter();
     let scenes = touchdowns.flat_map(|conditions| {
@@ -91,7 +92,7 @@ fn afterwards(rule: RestRule, time_limit: f64) -> Afterwards {
                 clearance = clearance.min(instant.clearance);
             }
         };
-        let beyond = settings.beyond_verdict();
+        let beyond = settings.stopping_at(Stop::Time);
         let beyond = land_observed(&vehicle, &scene, &beyond, 0.02, &mut observe);
         found.toppled += usize::from(angle <= 0.0);
         found.lowered += usize::from(clearance < landing.min_clearance - 0.01);
@@ -117,6 +118,7 @@ fn what_has_too_little_energy_does_not_topple() {
 fn greatest_lift_at_rest(share: f64) -> f64 {
     let vehicle = lander().with_rules(Rules::PHYSICAL);
     let settings = Settings::new(3e-5, 120.0, CrushRule::Section).unwrap();
+    let settings = settings.stopping_at(Stop::Verdict);
     let weight = vehicle.mass() * 0.92;
     let thrust = Thrust::new(&[[0.0, share * weight]], [0.0; 2]).unwrap();
     let (mut greatest, mut stable) = (0.0f64, 0);
@@ -146,4 +148,59 @@ fn an_engine_that_stays_on_leaves_hardly_any_motion_at_rest() {
     let [off, on] = [0.0, 0.5].map(greatest_lift_at_rest);
     assert!(off > 0.02 * 8.0, "{off} ft");
     assert!(on < 0.02 * 8.0, "{on} ft");
+}
+
+/// Landings of that lander under physical rules that end so, within a time limit, s.
+fn ending(stop: Stop, time_limit: f64) -> Vec<Landing> {
+    let vehicle = lander().with_rules(Rules::PHYSICAL);
+    let settings = Settings::new(3e-5, time_limit, CrushRule::Section).unwrap();
+    let touchdowns = fixed_list(&usual_conditions(), 40).into_iter();
+    let scenes = touchdowns.map(|conditions| Conditions {
+        vertical_velocity: 0.5 * conditions.vertical_velocity,
+        horizontal_velocity: 2.0,
+        ..conditions
+    });
+    let landings = landed(&vehicle, &settings.stopping_at(stop), scenes);
+    landings.into_iter().map(|(_, landing)| landing).collect()
+}
+
+/// Number of stable landings whose greatest stroke or load grows further, by 1 mm or by a pound, until long after.
+fn still_growing(stop: Stop) -> usize {
+    let pairs = ending(stop, 15.0).into_iter().zip(ending(Stop::Time, 15.0));
+    let stable = pairs.filter(|(landing, _)| landing.outcome == Outcome::StableSubsided);
+    let grows = |(landing, whole): &(Landing, Landing)| {
+        assert_eq!(whole.outcome, Outcome::StableSubsided);
+        (0..4).any(|leg| {
+            let stroke = whole.max_stroke[leg] - landing.max_stroke[leg];
+            let force = whole.max_strut_force[leg] - landing.max_strut_force[leg];
+            stroke > 0.003 || force > 1.0
+        })
+    };
+    stable.filter(grows).count()
+}
+
+#[test]
+fn strokes_and_loads_at_rest_are_those_of_the_whole_landing() {
+    let [at_verdict, at_rest] = [Stop::Verdict, Stop::Rest].map(still_growing);
+    assert!(at_verdict >= 3, "{at_verdict} grow after their verdict");
+    assert_eq!(at_rest, 0);
+}
+
+#[test]
+fn what_stands_when_time_runs_out_is_stable() {
+    let outcomes = |stop, limit| ending(stop, limit).into_iter().map(|one| one.outcome);
+    let known = ending(Stop::Verdict, 15.0);
+    let stand = known
+        .iter()
+        .filter(|one| one.outcome == Outcome::StableSubsided);
+    // Half of the landings stand by then, and hardly any has settled.
+    let mut ends: Vec<f64> = stand.map(|one| one.end_time).collect();
+    ends.sort_by(f64::total_cmp);
+    let limit = ends[ends.len() / 2] + 0.01;
+    let stable = |stop| outcomes(stop, limit).filter(|one| *one == Outcome::StableSubsided);
+    let [at_verdict, at_rest] = [Stop::Verdict, Stop::Rest].map(|stop| stable(stop).count());
+    assert!(
+        at_verdict > ends.len() / 2 && at_rest + 3 > at_verdict,
+        "{at_rest} of {at_verdict}"
+    );
 }

@@ -16,7 +16,7 @@ use touchdown_dynamics::parts::{
     Footpad, Honeycomb, Inertia, LegDesign, Linkage, Strut, StrutElement,
 };
 use touchdown_dynamics::profile::Profile;
-use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
+use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings, Stop};
 use touchdown_dynamics::soil::{Bearing, Soil};
 use touchdown_dynamics::three_strut_leg::ThreeStrutLeg;
 use touchdown_dynamics::three_struts::{
@@ -111,7 +111,7 @@ fn settings(tolerance: f64) -> Settings {
 fn until(time: f64) -> Settings {
     Settings::new(1e-6, time, CrushRule::Section)
         .unwrap()
-        .beyond_verdict()
+        .stopping_at(Stop::Time)
 }
 
 fn conditions() -> Conditions {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use touchdown_dynamics::batch::Request;
 use touchdown_dynamics::land::land;
 use touchdown_dynamics::outcome::{Class, Outcome};
-use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
+use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings, Stop};
 use touchdown_dynamics::thrust::Thrust;
 
 fn thrust(knots: &[[f64; 2]], offset: [f64; 2]) -> Thrust {
@@ -183,7 +183,7 @@ fn a_landing_may_go_on_beyond_its_verdict() {
         let scene = Scene::new(level(180.0, 5.0, speed)).unwrap();
         let limit = Settings::new(1e-6, 6.0, CrushRule::PivotRate).unwrap();
         let judged = land(&vehicle, &scene, &limit);
-        let (beyond, instants) = history(&vehicle, &scene, &limit.beyond_verdict(), 0.1);
+        let (beyond, instants) = history(&vehicle, &scene, &limit.stopping_at(Stop::Time), 0.1);
         assert_eq!(judged.outcome.class(), class);
         assert_eq!(beyond.outcome, judged.outcome);
         assert_eq!(judged.beyond, None);

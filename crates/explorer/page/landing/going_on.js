@@ -15,7 +15,7 @@ export class GoingOn {
     this.root.addEventListener("click", () => {
       const isOn = this.root.getAttribute("aria-pressed") === "true";
       this.isAsked = !isOn;
-      present.set(STOP, isOn ? "verdict" : "time");
+      present.set(STOP, isOn ? "rest" : "time");
     });
   }
 

@@ -15,7 +15,7 @@ use touchdown_input::documents::output_units::OutputUnits;
 use touchdown_input::points::assignment::{self, Assignment};
 use touchdown_input::points::parameter::{self, Home, Parameter};
 use touchdown_input::readers::choice::word;
-use touchdown_input::readers::settings_input::{FRICTION_PROFILES, rules_by_key};
+use touchdown_input::readers::settings_input::{FRICTION_PROFILES, STOPS, rules_by_key};
 use touchdown_input::readers::vehicle_file::{self, VehicleFile};
 
 use super::complaint::Complaint;
@@ -205,10 +205,7 @@ fn of_solver(touchdown: &Touchdown, parameter: &Parameter) -> Option<Told> {
             json!(word(&FRICTION_PROFILES, settings.friction_profile())),
             None,
         ),
-        "stop" => {
-            let word = parameter.words().get(usize::from(settings.goes_on()));
-            (json!(word), None)
-        }
+        "stop" => (json!(word(&STOPS, settings.stop())), None),
         _ => {
             let rules = rules_by_key(settings.rules(&touchdown.vehicle.vehicle));
             let (_, word) = rules.into_iter().find(|(rule, _)| *rule == key)?;

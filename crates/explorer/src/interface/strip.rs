@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use touchdown_dynamics::batch::{self, land_many};
 use touchdown_dynamics::landing::Landing;
 use touchdown_dynamics::outcome::Class;
-use touchdown_dynamics::scene::{Scene, Settings};
+use touchdown_dynamics::scene::{Scene, Settings, Stop};
 use touchdown_dynamics::vehicle::Vehicle;
 
 use super::IsOver;
@@ -174,7 +174,9 @@ pub fn settings(touchdown: &Touchdown) -> Result<Settings, Complaint> {
         true => settings.tolerance(),
         false => Settings::BOUNDARY_TOLERANCE,
     };
-    let of_search = settings.up_to_verdict().with_tolerance(tolerance);
+    let of_search = settings
+        .stopping_at(Stop::Verdict)
+        .with_tolerance(tolerance);
     of_search.map_err(Complaint::engine)
 }
 

@@ -9,7 +9,7 @@ use touchdown_dynamics::quantity::Quantity;
 use touchdown_dynamics::rules::{
     ContactRule, CrushRule, FrictionProfile, RestRule, RuleChoices, Rules, TopplingRule,
 };
-use touchdown_dynamics::scene::Settings;
+use touchdown_dynamics::scene::{Settings, Stop};
 use touchdown_dynamics::vehicle::Vehicle;
 
 use crate::documents::document::{Document, Value};
@@ -71,18 +71,12 @@ pub const FRICTION_PROFILES: [(&str, FrictionProfile); 3] = [
     ("B", FrictionProfile::B),
     ("C", FrictionProfile::C),
 ];
-/// Ends of a landing: at its verdict, or at the time limit.
-pub const STOPS: [(&str, Stop); 2] = [("verdict", Stop::Verdict), ("time", Stop::Time)];
-
-/// End of a landing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Stop {
-    /// At its verdict.
-    #[default]
-    Verdict,
-    /// At the time limit; the verdict is recorded.
-    Time,
-}
+/// Ends of a landing.
+pub const STOPS: [(&str, Stop); 3] = [
+    ("verdict", Stop::Verdict),
+    ("rest", Stop::Rest),
+    ("time", Stop::Time),
+];
 
 /// Keys of `[solver]` whose values are words, with these words.
 pub(crate) fn word_keys() -> [(&'static str, Vec<&'static str>); 8] {
@@ -131,8 +125,8 @@ pub fn solver_in_record(settings: &Settings, vehicle: &Vehicle) -> serde_json::V
     for (key, word) in rules_in_record(settings.rules(vehicle)) {
         solver[key] = word;
     }
-    if settings.goes_on() {
-        solver["stop"] = json!("time");
+    if settings.stop() != Stop::Verdict {
+        solver["stop"] = json!(word(&STOPS, settings.stop()));
     }
     solver
 }
@@ -210,16 +204,18 @@ pub(crate) fn choice_beside_three_struts(
     })
 }
 
+/// Reads a choice of `[solver]`, if it is made.
+fn chosen<T: Copy>(
+    solver: &Section,
+    key: &str,
+    choices: &[(&str, T)],
+) -> Result<Option<T>, InputError> {
+    let given = solver.optional(key);
+    given.map(|value| chosen_by(&value, choices)).transpose()
+}
+
 /// Reads the choices of rules from `[solver]`.
 fn rule_choices(solver: &Section) -> Result<RuleChoices, InputError> {
-    fn chosen<T: Copy>(
-        solver: &Section,
-        key: &str,
-        choices: &[(&str, T)],
-    ) -> Result<Option<T>, InputError> {
-        let given = solver.optional(key);
-        given.map(|value| chosen_by(&value, choices)).transpose()
-    }
     Ok(RuleChoices {
         set: chosen(solver, "rules", &RULES)?,
         crush: chosen(solver, "crush_rule", &CRUSH_RULES)?,
@@ -229,14 +225,15 @@ fn rule_choices(solver: &Section) -> Result<RuleChoices, InputError> {
     })
 }
 
-/// Reads `[solver]` of a sweep; missing keys have the program's defaults.
-pub(crate) fn settings(root: &Section) -> Result<Settings, InputError> {
-    settings_from(root, Settings::BOUNDARY_TOLERANCE)
+/// Reads `[solver]` of a sweep whose landings end at `stop` where it does not say; other missing keys have the program's
+/// defaults.
+pub(crate) fn settings(root: &Section, stop: Stop) -> Result<Settings, InputError> {
+    settings_from(root, Settings::BOUNDARY_TOLERANCE, stop)
 }
 
 /// Reads `[solver]` of single landings.
 pub(crate) fn settings_of_landing(root: &Section) -> Result<Settings, InputError> {
-    settings_from(root, Settings::DEFAULT_TOLERANCE)
+    settings_from(root, Settings::DEFAULT_TOLERANCE, Stop::default())
 }
 
 /// Settings of single landings by the method "located", with these values of `[solver]` replaced. The tolerance stays
@@ -254,15 +251,13 @@ pub fn settings_with<'v>(
             || matches!(value, Value::Text(word) if word == method_name(&Method::Located))
     };
     let mut text = format!(
-        "[solver]\ntime_limit_s = {}\nfriction_profile = \"{}\"\n",
+        "[solver]\ntime_limit_s = {}\nfriction_profile = \"{}\"\nstop = \"{}\"\n",
         given.time_limit(),
-        word(&FRICTION_PROFILES, given.friction_profile())
+        word(&FRICTION_PROFILES, given.friction_profile()),
+        word(&STOPS, given.stop())
     );
     for (key, word) in chosen_rules(given.rule_choices()) {
         text += &format!("{key} = \"{word}\"\n");
-    }
-    if given.goes_on() {
-        text += "stop = \"time\"\n";
     }
     if values.clone().all(is_located) {
         text += &format!("tolerance = {}\n", given.tolerance());
@@ -282,9 +277,14 @@ pub(crate) fn stop<'d>(root: &Section<'d>) -> Result<Option<LocatedValue<'d>>, I
     Ok(solver.and_then(|solver| solver.optional("stop")))
 }
 
-fn settings_from(root: &Section, default_tolerance: f64) -> Result<Settings, InputError> {
+fn settings_from(
+    root: &Section,
+    default_tolerance: f64,
+    default_stop: Stop,
+) -> Result<Settings, InputError> {
     let Some(solver) = root.optional_section("solver", &solver_keys())? else {
-        return (Settings::default().with_tolerance(default_tolerance))
+        return (Settings::default().stopping_at(default_stop))
+            .with_tolerance(default_tolerance)
             .map_err(|invalid| root.complain(&invalid));
     };
     let tolerance = solver.optional_number(TOLERANCE.key)?;
@@ -301,7 +301,7 @@ fn settings_from(root: &Section, default_tolerance: f64) -> Result<Settings, Inp
         .with_method(method)
         .with_rules(rules)
         .with_friction_profile(friction_profile);
-    let stop = choice(&solver, "stop", &STOPS)?;
+    let stop = chosen(&solver, "stop", &STOPS)?.unwrap_or(default_stop);
     stopping(settings, stop).map_err(|why| match solver.optional("stop") {
         Some(found) => found.complain_that(why),
         None => InputError::other(why),
@@ -314,8 +314,7 @@ fn settings_from(root: &Section, default_tolerance: f64) -> Result<Settings, Inp
 /// The reason why the method of the settings does not allow it.
 pub fn stopping(settings: Settings, stop: Stop) -> Result<Settings, &'static str> {
     match (stop, settings.method()) {
-        (Stop::Verdict, _) => Ok(settings),
-        (Stop::Time, Method::Located) => Ok(settings.beyond_verdict()),
+        (Stop::Verdict | Stop::Rest, _) | (_, Method::Located) => Ok(settings.stopping_at(stop)),
         (Stop::Time, _) => Err("only the method \"located\" goes on beyond the verdict"),
     }
 }

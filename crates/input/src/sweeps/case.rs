@@ -184,7 +184,7 @@ impl Sweep {
                 Job::Boundary(_) => Job::Boundary(search_input::search(&root)?),
                 outcome => outcome,
             };
-            Ok((job, settings_input::settings(&root)?))
+            Ok((job, settings_input::settings(&root, self.job.stop())?))
         };
         read().map_err(in_part(Home::Sweep))
     }

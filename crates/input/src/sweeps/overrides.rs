@@ -68,7 +68,7 @@ impl Sweep {
         if let Job::Boundary(search) = &mut self.job {
             *search = search_input::search(&root)?;
         }
-        self.settings = settings_input::settings(&root)?;
+        self.settings = settings_input::settings(&root, self.job.stop())?;
         if let Some(vehicle) = &overrides.vehicle {
             self.vehicle = vehicle.clone();
             self.sources.push(vehicle.document.source());

@@ -278,7 +278,7 @@ fn gravity_and_thrust_that_cannot_be_are_refused_where_they_are_said() {
         ),
         (
             "[solver]\nstop = \"never\"\n",
-            "solver.stop = \"never\": expected \"verdict\" or \"time\"",
+            "solver.stop = \"never\": expected \"verdict\" or \"rest\" or \"time\"",
         ),
         (
             "[solver]\nmethod = \"rk4\"\nstop = \"time\"\n",

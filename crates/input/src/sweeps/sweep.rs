@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
-use touchdown_dynamics::scene::Settings;
+use touchdown_dynamics::scene::{Settings, Stop};
 use touchdown_search::search_range::Search;
 
 use crate::documents::column::{Cell, Heading};
@@ -42,6 +42,16 @@ pub enum Job {
         /// Width of the probability intervals at which the sweep stops.
         enough: Option<f64>,
     },
+}
+
+impl Job {
+    /// When its landings end, where the file does not say.
+    pub(crate) fn stop(&self) -> Stop {
+        match self {
+            Self::Boundary(_) => Stop::Verdict,
+            Self::Outcome { .. } => Stop::Rest,
+        }
+    }
 }
 
 /// Everything that determines the result of a sweep.

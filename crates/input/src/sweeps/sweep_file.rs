@@ -26,6 +26,7 @@ use crate::readers::vehicle_file::{self, VehicleFile};
 use crate::readers::{search_input, settings_input};
 use crate::sweeps::case::{self, CaseFault};
 use crate::sweeps::sweep::{OverrideNames, SWEEP};
+use touchdown_dynamics::scene::Stop;
 
 impl Sweep {
     /// Reads a sweep file and its vehicle file, and checks both completely.
@@ -95,11 +96,13 @@ impl Sweep {
             }
             JobWord::Outcome => Job::Outcome { enough },
         };
-        let settings = settings_input::settings(&varied)
-            .map_err(|error| at_axes(Home::Sweep, error, settings_input::settings(&root).err()))?;
+        let settings = settings_input::settings(&varied, job.stop()).map_err(|error| {
+            let as_written = settings_input::settings(&root, job.stop()).err();
+            at_axes(Home::Sweep, error, as_written)
+        })?;
         if let Some(found) = settings_input::stop(&root)?
             && asked == JobWord::Boundary
-            && settings.goes_on()
+            && settings.stop() != Stop::Verdict
         {
             return Err(found.complain("\"verdict\", at which the landings of a search end"));
         }

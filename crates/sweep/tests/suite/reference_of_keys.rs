@@ -87,6 +87,7 @@ fn words_and_their_defaults_are_those_of_the_code() {
             "rules" | "crush_rule" | "rest_rule" | "toppling_rule" | "contact_rule" => {
                 "the vehicle's"
             }
+            "stop" => "`\"rest\"`, in sweeps that search `\"verdict\"`",
             _ => &words[0],
         };
         assert_eq!(row[3], default, "{key}");

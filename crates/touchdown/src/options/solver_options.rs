@@ -6,14 +6,14 @@ use touchdown_dynamics::methods::Method;
 use touchdown_dynamics::rules::{
     ContactRule, CrushRule, FrictionProfile, RestRule, RuleChoices, Rules, TopplingRule,
 };
-use touchdown_dynamics::scene::Settings;
+use touchdown_dynamics::scene::{Settings, Stop};
 use touchdown_input::documents::document::Value;
 use touchdown_input::documents::input_error::InputError;
 use touchdown_input::points::assignment::Assignment;
 use touchdown_input::readers::choice::{chosen, words};
 use touchdown_input::readers::method_input::{METHODS, MethodNumbers, method};
 use touchdown_input::readers::settings_input::{
-    CONTACT_RULES, CRUSH_RULES, FRICTION_PROFILES, REST_RULES, RULES, STOPS, Stop, TOPPLING_RULES,
+    CONTACT_RULES, CRUSH_RULES, FRICTION_PROFILES, REST_RULES, RULES, STOPS, TOPPLING_RULES,
     settings_with, stopping,
 };
 
@@ -68,8 +68,9 @@ pub struct SolverOptions {
     /// Time at which a landing without an outcome ends as time-expired, s [default: 40]
     #[arg(long, value_name = "S", value_parser = finite, allow_hyphen_values = true)]
     time_limit: Option<f64>,
-    /// When a landing ends: at its "verdict", or at the "time" limit, its first verdict noted, to see what comes after
-    #[arg(long, value_name = "WHEN", default_value = "verdict", value_parser = choice(&STOPS))]
+    /// When a landing ends: as soon as its "verdict" is known, once it has come to "rest", or at the "time" limit, its first
+    /// verdict noted, to see what comes after
+    #[arg(long, value_name = "WHEN", default_value = "rest", value_parser = choice(&STOPS))]
     stop: Stop,
 }
 

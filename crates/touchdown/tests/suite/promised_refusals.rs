@@ -159,7 +159,7 @@ const SAMPLES: [(&str, &str); 7] = [
 
 /// What stands behind the keys of the search.
 #[rustfmt::skip]
-const BEHIND: [(&str, &str); 24] = [
+const BEHIND: [(&str, &str); 25] = [
     (r#"scan = "fast""#, r#"sweep.toml:15: search.scan = "fast": expected "full" or "skipping""#),
     ("scan_looseness = 101", "sweep.toml:15: search.scan_looseness = 101: expected 1 ≤ value ≤ 100"),
     (r#"refinement = "newton""#, r#"sweep.toml:15: search.refinement = "newton": expected "margin" or "bisection""#),
@@ -168,7 +168,8 @@ const BEHIND: [(&str, &str); 24] = [
     ("[sensitivity]\nparameters = [\"title\"]", r#"sweep.toml:16: sensitivity.parameters[1] = "title": unknown parameter"#),
     ("[solver]\ntime_limit_s = 10001", "sweep.toml:16: solver.time_limit_s = 10001: expected 0 < value ≤ 10000"),
     ("[solver]\nstop = \"time\"", r#"sweep.toml:16: solver.stop = "time": expected "verdict", at which the landings of a search end"#),
-    ("[solver]\nstop = \"never\"", r#"sweep.toml:16: solver.stop = "never": expected "verdict" or "time""#),
+    ("[solver]\nstop = \"rest\"", r#"sweep.toml:16: solver.stop = "rest": expected "verdict", at which the landings of a search end"#),
+    ("[solver]\nstop = \"never\"", r#"sweep.toml:16: solver.stop = "never": expected "verdict" or "rest" or "time""#),
     ("[solver]\nerror_scale = 2", "sweep.toml:16: solver.error_scale = 2: expected only with method report or milne; the method is located"),
     ("[solver]\nmethod = \"report\"\ninterval_s = 0.01", "sweep.toml:17: solver.interval_s = 0.01: expected only with method rk4 or trapezoidal; the method is report"),
     ("[solver]\nmethod = \"rk4\"\ntolerance = 1e-5", "sweep.toml:17: solver.tolerance = 1e-5: expected only with method located; the method is rk4"),

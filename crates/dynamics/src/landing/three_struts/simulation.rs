@@ -119,7 +119,7 @@ impl<'o> Simulation<'o> {
             start: state,
             control: StepControl::new(FIRST_STEP),
             steadiness: Steadiness::new(vehicle, scene, settings, RestRule::Energy),
-            rest: Rest::new(vehicle, scene),
+            rest: Rest::new(vehicle, scene, settings),
             seen: Seen::NOTHING,
             extremes: Extremes::none(),
             toppling: Toppling::new(vehicle, scene),
@@ -382,6 +382,7 @@ impl UnderWay for Simulation<'_> {
     }
 
     fn result(&self, outcome: Outcome) -> Landing {
+        let outcome = self.rest.ended(outcome, self);
         let topples = self.toppling.is_beyond().then_some(self.time);
         with_verdict(
             self.noted.clone(),
