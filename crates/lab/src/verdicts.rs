@@ -224,9 +224,10 @@ fn drift(draw: &Draw, end: f64) -> Result<f64, Failure> {
     })
 }
 
-/// How landings are computed.
+/// How landings are computed: up to the verdict, as those of searches, which fall theirs soonest.
 fn settings(limit: f64) -> Result<Settings, Failure> {
-    (Settings::default().with_time_limit(limit))
+    (Settings::default().stopping_at(Stop::Verdict))
+        .with_time_limit(limit)
         .and_then(|settings| settings.with_tolerance(Settings::BOUNDARY_TOLERANCE))
         .map_err(Failure::running)
 }
