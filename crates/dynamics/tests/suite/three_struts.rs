@@ -11,7 +11,7 @@ use touchdown_dynamics::crush_load::CrushLoad;
 use touchdown_dynamics::ground::{Ground, LegFooting};
 use touchdown_dynamics::land::land;
 use touchdown_dynamics::landing::Landing;
-use touchdown_dynamics::outcome::Class;
+use touchdown_dynamics::outcome::{Class, Outcome};
 use touchdown_dynamics::parts::{
     Footpad, Honeycomb, Inertia, LegDesign, Linkage, Strut, StrutElement,
 };
@@ -498,6 +498,40 @@ fn at_rest_the_ground_bears_the_weight() {
 }
 
 /// Feet are where their velocities take them.
+/// Greatest height to which its kinetic energy would lift the vehicle in the last 0.7 s of landings that end stable so, ft.
+fn greatest_last_lift(stop: Stop) -> f64 {
+    let vehicle = lander(Arrangement::Tripod, 4, INERTIA);
+    let weight = vehicle.mass() * 5.31;
+    let lifts = (0..16).filter_map(|nth| {
+        let touchdown = Conditions {
+            horizontal_velocity: 0.3 * f64::from(nth),
+            cross_slope: 0.4 * f64::from(nth),
+            slope: 0.02 * f64::from(nth % 5),
+            ..conditions()
+        };
+        let settings = settings(3e-5).stopping_at(stop);
+        let (landing, instants) =
+            history(&vehicle, &Scene::new(touchdown).unwrap(), &settings, 0.01);
+        let last = instants
+            .iter()
+            .filter(|one| one.time > landing.end_time - 0.7);
+        let energy = last.map(|one| one.kinetic_energy).fold(0.0, f64::max);
+        (landing.outcome == Outcome::StableSubsided).then_some(energy / weight)
+    });
+    lifts.fold(0.0, f64::max)
+}
+
+/// Feet are some 17 ft from the CG, which bounds the height over any edge of them. They stand for longer than 0.7 s.
+#[test]
+fn a_verdict_allows_a_tenth_of_the_toppling_energy_and_rest_a_fiftieth() {
+    let [at_verdict, at_rest] = [Stop::Verdict, Stop::Rest].map(greatest_last_lift);
+    assert!(at_verdict < 0.1 * 17.0, "{at_verdict} ft");
+    assert!(
+        at_rest < at_verdict && at_rest < 0.02 * 17.0,
+        "{at_rest} ft"
+    );
+}
+
 #[test]
 fn histories_tell_how_feet_move() {
     let vehicle = lander(TRIPOD, 3, INERTIA);
