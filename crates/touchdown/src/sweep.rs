@@ -110,6 +110,13 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let folder = Folder::open(&options.out)?;
     for sweep in &sweeps {
         result_files::check_places(sweep, &folder, options.overwrite)?;
+        let has_parquet = options.format == Format::Parquet;
+        let version = env!("CARGO_PKG_VERSION");
+        if !options.quiet && result_files::are_there(sweep, &folder, version, has_parquet) {
+            let table = folder.path(&format!("{}.csv", sweep.stem()));
+            let table = table.display();
+            eprintln!("{table}: holds the results of this input, which are computed again");
+        }
     }
 
     // How many points a map has is found out round by round.

@@ -109,8 +109,12 @@ fn results_of_two_runs_never_stand_side_by_side() {
         "--overwrite",
     ]);
     assert_eq!(bench.read("results/sweep-bands.csv"), bands);
-    ran(&bench, &["sweep", "sweep.toml", "--overwrite"]);
-    ran(&bench, &["sweep", "sweep.toml"]);
+    let again = "results/sweep.csv: holds the results of this input, which are computed again";
+    for (more, is_again) in [(&["--overwrite"][..], false), (&[], true)] {
+        let done = bench.run(&[&["sweep", "sweep.toml"], more].concat());
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        assert_eq!(done.err.contains(again), is_again, "{}", done.err);
+    }
     assert_eq!(
         bench.list("results"),
         ["sweep.csv", "sweep.json", "sweep.png", "sweep.svg"]
@@ -169,8 +173,12 @@ fn no_command_writes_over_what_it_reads_or_what_is_not_its_own() {
     bench
         .run(&["sweep", "sweep.toml"])
         .refused(&["results/sweep.csv", foreign]);
-    ran(&bench, &["sweep", "sweep.toml", "--overwrite"]);
-    ran(&bench, &["sweep", "sweep.toml"]);
+    let again = "results/sweep.csv: holds the results of this input, which are computed again";
+    for (more, is_again) in [(&["--overwrite"][..], false), (&[], true)] {
+        let done = bench.run(&[&["sweep", "sweep.toml"], more].concat());
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        assert_eq!(done.err.contains(again), is_again, "{}", done.err);
+    }
     assert_eq!(bench.read("surveyor.toml"), surveyor);
 }
 
