@@ -66,7 +66,7 @@ impl Table {
             .ok_or_else(|| FigureError::Table(format!("column {name} is missing")))
     }
 
-    /// What stands in these columns, each of it once, in the order of the rows.
+    /// Values of these columns, each once, in the order of the rows.
     ///
     /// # Errors
     /// When one of the columns is missing.

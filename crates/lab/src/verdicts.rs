@@ -224,7 +224,7 @@ fn drift(draw: &Draw, end: f64) -> Result<f64, Failure> {
     })
 }
 
-/// How landings are computed: up to the verdict, as those of searches, which fall theirs soonest.
+/// Settings of landings that end as soon as their verdict is known, as those of searches do.
 fn settings(limit: f64) -> Result<Settings, Failure> {
     (Settings::default().stopping_at(Stop::Verdict))
         .with_time_limit(limit)

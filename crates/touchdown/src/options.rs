@@ -47,7 +47,7 @@ pub struct UnitsOption {
     pub given: Option<OutputUnits>,
 }
 
-/// What replaces the values of the sweep files.
+/// Replacements of values of the sweep files.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Replacing values of the sweep files")]
 pub struct OverrideOptions {

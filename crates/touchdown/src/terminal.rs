@@ -1,4 +1,4 @@
-//! What commands share of files, messages and the terminal; why a command failed, and its exit code.
+//! Files, messages and the terminal, as all commands use them; failures of commands and their exit codes.
 
 pub mod interrupt;
 pub mod progress;

@@ -20,7 +20,7 @@ const GREATEST_GAP: f64 = 180.0 - 1e-6;
 /// Indices of the legs in the order of their azimuths, 0 to 360 deg.
 pub type Ring = ArrayVec<usize, MOST_LEGS>;
 
-/// What all kinds of legs have, for the checks of a vehicle.
+/// A leg of any kind as the checks of a vehicle see it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Stand {
     /// Azimuth about the centreline, rad.

@@ -21,9 +21,9 @@ use crate::vehicle::{Legs, Vehicle};
 /// Greatest share of the toppling energy that a vehicle held on hinged legs may have, where its verdict does not wait
 /// ([`Stop::Rest`]).
 const SHARE_ON_HINGED_LEGS: f64 = 0.5;
-/// The same on legs of three struts, which may hardly damp: such a vehicle hops for long.
+/// Greatest such share on legs of three struts, which may hardly damp: such a vehicle hops for long.
 const SHARE_ON_THREE_STRUTS: f64 = 0.1;
-/// The same where the verdict waits, and under an engine that stays on. A vehicle that is light on its feet
+/// Greatest such share where the verdict waits, and under an engine that stays on. A vehicle that is light on its feet
 /// loses little energy at each hop, and a slope gives it back.
 const SETTLED_SHARE: f64 = 0.02;
 /// Time that the vehicle must stand to be at rest, or its CG be beyond its feet to have toppled, in free falls of the
@@ -48,10 +48,10 @@ pub(super) struct Rest {
     friction: [f64; 2],
     /// Friction under supports that stick, as a multiple of that.
     static_ratio: f64,
-    /// True if the verdict waits until hardly any motion is left.
-    waits: bool,
+    /// The vehicle stands.
     stands: Held,
-    settled: Held,
+    /// Hardly any motion is left; only where the verdict waits for that.
+    settled: Option<Held>,
 }
 
 /// Since when the vehicle has had at most a share of the toppling energy.
@@ -200,12 +200,11 @@ impl Rest {
             creep: CREEP * sqrt(2.0 * height * gravity),
             friction: [conditions.pad_friction, conditions.block_friction],
             static_ratio: conditions.static_friction_ratio.unwrap_or(1.0),
-            waits: settings.stop() == Stop::Rest,
             stands: Held::with(match vehicle.legs() {
                 Legs::Hinged(_) => SHARE_ON_HINGED_LEGS,
                 Legs::ThreeStrut(_) => SHARE_ON_THREE_STRUTS,
             }),
-            settled: Held::with(SETTLED_SHARE),
+            settled: (settings.stop() == Stop::Rest).then(|| Held::with(SETTLED_SHARE)),
         }
     }
 
@@ -216,14 +215,14 @@ impl Rest {
         if !self.stands.is_long_enough {
             self.stands = self.noted(&self.stands, landing);
         }
-        if !self.waits {
+        let Some(settled) = &self.settled else {
             return self.stands.is_long_enough;
-        }
-        self.settled = match self.stands.since {
-            Some(_) => self.noted(&self.settled, landing),
+        };
+        let settled = match self.stands.since {
+            Some(_) => self.noted(settled, landing),
             None => Held::with(SETTLED_SHARE),
         };
-        self.settled.is_long_enough
+        self.settled.insert(settled).is_long_enough
     }
 
     /// Returns since when the vehicle has been held, if it is held now.
@@ -249,7 +248,7 @@ impl Rest {
             let pull = landing.pull_at_rest();
             pull.is_some_and(|pull| self.holds(landing, &pull, self.stands.share))
         };
-        match self.waits && self.stands.is_long_enough && is_cut_short && stands() {
+        match self.settled.is_some() && self.stands.is_long_enough && is_cut_short && stands() {
             true => Outcome::StableSubsided,
             false => outcome,
         }
@@ -482,9 +481,8 @@ mod tests {
             creep: 0.0,
             friction: [0.3; 2],
             static_ratio,
-            waits: false,
             stands: Held::with(SHARE_ON_HINGED_LEGS),
-            settled: Held::with(SETTLED_SHARE),
+            settled: None,
         };
         rest.holds(landing, &Pull::of_weight(100.0), SHARE_ON_HINGED_LEGS)
     }

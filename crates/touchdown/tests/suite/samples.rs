@@ -161,11 +161,9 @@ fn a_kept_journal_that_was_changed_is_told_and_not_trusted() {
     }
 }
 
+/// Starts the sweep three times, and kills each run soon.
 #[cfg(unix)]
-#[test]
-fn a_sample_that_is_killed_while_it_grows_loses_nothing_and_ends_as_early() {
-    let bench = bench();
-    assert_eq!(swept(&bench, 100, &[]).code, Some(0));
+fn kill_runs(bench: &Bench) {
     for _ in 0..3 {
         let mut run = bench
             .command(&["sweep", "sweep.toml", "--quiet"])
@@ -175,6 +173,14 @@ fn a_sample_that_is_killed_while_it_grows_loses_nothing_and_ends_as_early() {
         run.kill().unwrap();
         run.wait().unwrap();
     }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_sample_that_is_killed_while_it_grows_loses_nothing_and_ends_as_early() {
+    let bench = bench();
+    assert_eq!(swept(&bench, 100, &[]).code, Some(0));
+    kill_runs(&bench);
     for count in [5000, 6000] {
         let done = swept(&bench, count, &[]);
         assert_eq!(done.code, Some(0), "{}", done.err);
@@ -213,15 +219,7 @@ fn probabilities_have_intervals_and_the_run_ends_when_they_are_narrow() {
 fn a_killed_sample_ends_where_it_would_have_ended() {
     let expected = uninterrupted();
     let bench = bench();
-    for _ in 0..3 {
-        let mut run = bench
-            .command(&["sweep", "sweep.toml", "--quiet"])
-            .spawn()
-            .unwrap();
-        std::thread::sleep(std::time::Duration::from_millis(60));
-        run.kill().unwrap();
-        run.wait().unwrap();
-    }
+    kill_runs(&bench);
     let done = bench.run(&["sweep", "sweep.toml"]);
     assert_eq!(done.code, Some(0), "{}", done.err);
     assert_eq!(RESULTS.map(|name| bench.read(name)), *expected);
