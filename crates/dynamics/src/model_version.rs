@@ -2,4 +2,4 @@
 
 /// Counts the changes to the model, its integration or its searches that change any result, however little. Results of
 /// different versions must not be mixed.
-pub const MODEL_VERSION: u32 = 27;
+pub const MODEL_VERSION: u32 = 28;

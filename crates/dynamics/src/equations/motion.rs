@@ -182,6 +182,16 @@ impl Motion<f64> {
         leg.pad_rate = 0.0;
     }
 
+    /// Brings the link of leg `index` to its extension stop, which takes its energy. A pad that swings keeps its own rate.
+    pub fn stop_link(&self, index: usize, pad_swings: bool, leg: &mut LegState<f64>) {
+        let [.., stop] = &mut leg.work;
+        *stop += 0.5 * self.legs[index].link_inertia * leg.link_rate * leg.link_rate;
+        if pad_swings {
+            leg.pad_rate -= leg.link_rate;
+        }
+        leg.link_rate = 0.0;
+    }
+
     /// Moment of inertia of the lower link of leg `index` about its hardpoint, slug·ft².
     pub fn link_inertia(&self, index: usize) -> f64 {
         self.legs[index].link_inertia

@@ -146,6 +146,7 @@ impl Trajectory<'_> {
                 let before = self.modes[leg];
                 self.modes[leg].cross(laws, leg, signal, exit, &signals)?;
                 self.turn_pad(leg, &before);
+                self.stop_link(leg);
                 self.choose_pieces(leg);
             }
         }
@@ -165,6 +166,17 @@ impl Trajectory<'_> {
             self.motion.stop_pad(leg, link_is_free, &mut state);
         }
         self.step.before.set_leg(leg, &state);
+    }
+
+    /// Ends the rate of a link that has arrived at its extension stop.
+    fn stop_link(&mut self, leg: usize) {
+        let mode = &self.modes[leg];
+        let mut state = self.step.before.leg(leg);
+        if mode.is_held_by_stop(&self.laws[leg]) && state.link_rate > 0.0 {
+            self.motion
+                .stop_link(leg, !mode.pad_is_on_stop(), &mut state);
+            self.step.before.set_leg(leg, &state);
+        }
     }
 
     fn note_contacts(&mut self) {

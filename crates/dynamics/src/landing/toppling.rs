@@ -5,8 +5,8 @@ use crate::scene::Scene;
 use crate::state::Body;
 use crate::vehicle::Vehicle;
 
-/// Cosine of the tilt beyond which a vehicle no longer stands: 60 deg.
-const FALLEN: f64 = 0.5;
+/// Cosine of the tilt beyond which no foot catches a vehicle in flight: 90 deg.
+const FALLEN: f64 = 0.0;
 
 /// Counts how long the CG of a vehicle has been beyond the hull of its feet.
 ///
@@ -85,7 +85,7 @@ mod tests {
     /// In flight the time counts of a vehicle that has fallen, or reaches into the ground.
     #[test]
     fn what_no_foot_will_catch_topples_in_flight() {
-        for (clearance, tilt, topples) in [(1.0, 59.0, false), (1.0, 61.0, true), (-0.1, 0.0, true)]
+        for (clearance, tilt, topples) in [(1.0, 89.0, false), (1.0, 91.0, true), (-0.1, 0.0, true)]
         {
             let mut toppling = of_one_second();
             let body = || inclined(f64::to_radians(tilt));

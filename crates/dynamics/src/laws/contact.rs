@@ -116,6 +116,11 @@ impl LegMode {
         self.hinge.is_on_stop()
     }
 
+    /// Returns whether the extension stop holds the link against opening ([`ContactRule::Face`]).
+    pub fn is_held_by_stop(&self, laws: &LegLaws) -> bool {
+        laws.stops.rule == ContactRule::Face && self.stance.is_on_stop()
+    }
+
     /// Returns whether the leg hangs in the air with its link still.
     pub fn is_hanging(&self) -> bool {
         self.stance.is_hanging()

@@ -115,6 +115,25 @@ fn contact_at_the_face_only_takes_energy() {
     assert!(at_pivot.reduce(|| 0.0, f64::max) > 1e-3);
 }
 
+/// Least stroke of any strut in wild landings under a rule, ft.
+fn least_stroke(rule: ContactRule) -> f64 {
+    let least = |(vehicle, scene): &(Vehicle, Scene)| {
+        let settings = settings(1e-6, rule).with_time_limit(3.0).unwrap();
+        let (_, instants) = history(vehicle, scene, &settings.stopping_at(Stop::Time), 0.002);
+        let legs = instants.iter().flat_map(|instant| instant.legs.iter());
+        legs.map(|leg| leg.stroke).fold(0.0, f64::min)
+    };
+    let cases = fixed_list(&wild(), 10);
+    cases.par_iter().map(least).reduce(|| 0.0, f64::min)
+}
+
+#[test]
+fn no_link_opens_beyond_its_extension_stop() {
+    let [at_face, at_pivot] = [ContactRule::Face, ContactRule::Pivot].map(least_stroke);
+    assert!(at_face > -1e-6, "{at_face} ft");
+    assert!(at_pivot < -1e-3, "{at_pivot} ft: the rule of 1966 lets it");
+}
+
 /// Of the pads of a leg: A Σ p²/2E (1 + cos²ξ)/2, while they are on their elastic lines, ft·lb.
 fn stored(bare: &Bare, vehicle: &Vehicle, state: &State<f64>, leg: usize) -> f64 {
     let pad = &vehicle.hinged_legs()[leg].design().footpad;

@@ -64,6 +64,11 @@ impl Stance {
         }
     }
 
+    /// Returns whether the link is on its stop, and nothing pushes it in.
+    pub fn is_on_stop(&self) -> bool {
+        matches!(self, Self::Hanging { .. } | Self::Stopped { pushed: false })
+    }
+
     /// Returns whether the link hangs still.
     pub fn is_hanging(&self) -> bool {
         matches!(self, Self::Hanging { .. })
