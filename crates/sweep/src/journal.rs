@@ -20,6 +20,7 @@ mod writer;
 use std::collections::HashMap;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use same_file::Handle;
 
@@ -38,6 +39,40 @@ use writer::Writer;
 /// Place, beside that of its journal, where a finished sample keeps it for a greater one.
 pub fn kept(journal: &Path) -> PathBuf {
     journal.with_extension("journal.kept")
+}
+
+/// What the kept journal of a sample holds for the same sample with more points.
+enum Kept {
+    Nothing,
+    /// It is damaged or differs, with the reason.
+    Unusable(String),
+    /// Points of the sample with this header.
+    Smaller(Box<Header>),
+}
+
+impl Kept {
+    fn at(path: &Path, header: &Header) -> Result<Self, JournalError> {
+        if !path.is_file() {
+            return Ok(Self::Nothing);
+        }
+        let smaller = match Records::open(path, Access::Shared) {
+            Err(JournalError::NoHeader(_)) => {
+                return Ok(Self::Unusable("its head is damaged".to_owned()));
+            }
+            opened => opened?.1,
+        };
+        if smaller.points >= header.points {
+            return Ok(Self::Nothing);
+        }
+        let differences = header.differences_but_count(&smaller);
+        Ok(match differences.is_empty() {
+            true => Self::Smaller(Box::new(smaller)),
+            false => Self::Unusable(format!(
+                "it differs from this run (here: now, there: in the file):\n  {}",
+                differences.join("\n  ")
+            )),
+        })
+    }
 }
 
 /// A journal open for adding points; meanwhile no other process can open it.
@@ -62,39 +97,32 @@ pub struct Opened {
 
 impl Opened {
     /// Adds the points of the same sample with fewer points from its kept journal, if there is one; returns how many.
-    /// Damaged records, and a journal of other input or another program, are left out with a warning.
+    /// Damaged records, and a journal of other input or another program, are left out with a warning. Stops when
+    /// `cancel` is set.
     ///
     /// # Errors
     /// Errors of the file system; points already added stay valid.
-    pub(crate) fn take_over(&mut self, header: &Header) -> Result<usize, JournalError> {
+    pub(crate) fn take_over(
+        &mut self,
+        header: &Header,
+        cancel: &AtomicBool,
+    ) -> Result<usize, JournalError> {
         let path = kept(&self.journal.path);
-        if !path.is_file() {
-            return Ok(0);
-        }
-        let mut leave = |why: &str| {
-            let warning = format!("{}: is not used, as {why}", path.display());
-            self.warnings.push(warning);
-            Ok(0)
+        let smaller = match Kept::at(&path, header)? {
+            Kept::Nothing => return Ok(0),
+            Kept::Unusable(why) => {
+                let warning = format!("{}: is not used, as {why}", path.display());
+                self.warnings.push(warning);
+                return Ok(0);
+            }
+            Kept::Smaller(smaller) => smaller,
         };
-        let (_, smaller) = match Records::open(&path, Access::Shared) {
-            Err(JournalError::NoHeader(_)) => return leave("its head is damaged"),
-            opened => opened?,
-        };
-        if smaller.points >= header.points {
-            return Ok(0);
-        }
-        let differences = header.differences_but_count(&smaller);
-        if !differences.is_empty() {
-            let differences = differences.join("\n  ");
-            return leave(&format!(
-                "it differs from this run (here: now, there: in the file):\n  {differences}"
-            ));
-        }
         let mut there = Journal::open(&path, &smaller)?;
         self.warnings.append(&mut there.warnings);
         let mut results = there.journal.so_far(smaller.points)?;
         let mut taken = 0;
-        for point in there.done.members() {
+        let going_on = |_: &usize| !cancel.load(Ordering::Relaxed);
+        for point in there.done.members().take_while(going_on) {
             if let Some(result) = results.result(point)?
                 && self.done.insert(point)
             {

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use super::error::{JournalError, io_error};
 use super::head::{Head, read_head, same};
-use super::record;
 use super::scan::{Piece, Scan};
+use super::{Kept, kept, record};
 use crate::journal::header::Header;
 use crate::journal::point_set::PointSet;
 
@@ -56,18 +56,37 @@ impl Records {
         Ok((records, header))
     }
 
-    /// Points that a run with `header` would find done in the journal at `path`, by index in its shard. Writes nothing.
+    /// Points that a run with `header` would find done in the journal at `path`, or take over from the kept journal of a
+    /// smaller sample, by index in its shard. Writes nothing.
     ///
     /// # Errors
     /// If the journal belongs to other input; errors of the file system.
     pub fn done(path: &Path, header: &Header) -> Result<PointSet, JournalError> {
-        let (records, there) = Self::open(path, Access::Shared)?;
-        same(path, header, &there)?;
-        let refuse = |error| io_error(path, error);
         let mut done = PointSet::none(header.most_points());
-        let end = records.file.metadata().map_err(refuse)?.len();
-        let Head { seed, length } = records.head;
-        let mut scan = Scan::new(&records.file, seed, length, end).map_err(refuse)?;
+        if path.is_file() {
+            match Self::open(path, Access::Shared) {
+                // A run begins it anew.
+                Err(JournalError::NoHeader(_)) => {}
+                opened => {
+                    let (records, there) = opened?;
+                    same(path, header, &there)?;
+                    records.add_points(header, &mut done)?;
+                }
+            }
+        }
+        let path = kept(path);
+        if let Kept::Smaller(_) = Kept::at(&path, header)? {
+            let (records, _) = Self::open(&path, Access::Shared)?;
+            records.add_points(header, &mut done)?;
+        }
+        Ok(done)
+    }
+
+    fn add_points(&self, header: &Header, done: &mut PointSet) -> Result<(), JournalError> {
+        let refuse = |error| io_error(&self.path, error);
+        let end = self.file.metadata().map_err(refuse)?.len();
+        let Head { seed, length } = self.head;
+        let mut scan = Scan::new(&self.file, seed, length, end).map_err(refuse)?;
         while let Some(piece) = scan.next().map_err(refuse)? {
             if let Piece::Frame { payload, .. } = piece
                 && let Some((point, _)) = record(&payload)
@@ -76,6 +95,6 @@ impl Records {
                 done.insert(index);
             }
         }
-        Ok(done)
+        Ok(())
     }
 }

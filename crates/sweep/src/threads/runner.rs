@@ -141,14 +141,14 @@ impl Run<'_> {
     }
 
     /// Adds the points of a finished sample to the journal of the same sample with more points; returns how many. Any
-    /// other run has none.
+    /// other run has none. Stops when the run is cancelled.
     ///
     /// # Errors
     /// Errors of the file system.
     pub fn take_over(&mut self) -> Result<usize, RunError> {
         let taken = match self.task {
             Task::Sweep(sweep, Shard::WHOLE) if sweep.design.is_nested() => {
-                self.opened.take_over(&self.header)
+                self.opened.take_over(&self.header, self.runner.cancel)
             }
             _ => Ok(0),
         };

@@ -15,7 +15,7 @@ use touchdown_input::sweeps::sweep_file::{Job, Sweep};
 use touchdown_sweep::journal::header::Header;
 use touchdown_sweep::journal::point_set::PointSet;
 use touchdown_sweep::journal::shard::Shard;
-use touchdown_sweep::journal::{self, JournalError, Records};
+use touchdown_sweep::journal::{self, Records};
 use touchdown_sweep::maps::rounds::Rounds;
 use touchdown_sweep::output::results;
 use touchdown_sweep::summary::findings::Finding;
@@ -166,7 +166,11 @@ impl Looked {
             Some(0) => String::new(),
             Some(done) => format!(
                 "  {} holds {}: {} left\n",
-                journal.display(),
+                match journal.is_file() {
+                    true => journal.to_owned(),
+                    false => journal::kept(journal),
+                }
+                .display(),
                 number(done, "point"),
                 points - done
             ),
@@ -319,19 +323,11 @@ impl Sampling {
         }
     }
 
-    /// The points that a run would find in the journal.
+    /// The points that a run would find in the journal, or in that of a smaller sample.
     fn done(&self, journal: &Path) -> Result<PointSet, Failure> {
-        let none = || PointSet::none(self.shard.len(self.sweep.design.count()));
-        if !journal.is_file() {
-            return Ok(none());
-        }
         let header = Header::new(&self.sweep, env!("CARGO_PKG_VERSION"), self.shard)
             .map_err(|fault| Failure::running(format!("the first point: {fault}")))?;
-        match Records::done(journal, &header) {
-            // A run begins it anew.
-            Err(JournalError::NoHeader(_)) => Ok(none()),
-            done => Ok(done?),
-        }
+        Ok(Records::done(journal, &header)?)
     }
 
     fn send(&self, news: News) {

@@ -93,6 +93,7 @@ fn a_grown_sample_takes_over_the_points_of_the_smaller_one() {
         scratch.write("sweep.toml", &text);
         let swept = |bench, count, more| swept(bench, count, &[options, more].concat());
         assert_eq!(swept(&bench, 16, &[]).code, Some(0));
+        let beforehand = swept(&bench, 32, &["--dry-run"]);
         let grown = swept(&bench, 32, &["--threads", "1"]);
         let refused = ["results/sweep.csv: holds results of other input"];
         if design == "latin-hypercube" {
@@ -102,6 +103,8 @@ fn a_grown_sample_takes_over_the_points_of_the_smaller_one() {
         }
         let told = format!("took 16 of 32 points from {KEPT}");
         assert!(grown.err.contains(&told), "{}", grown.err);
+        let left = format!("{KEPT} holds 16 points: 16 left");
+        assert!(beforehand.out.contains(&left), "{}", beforehand.out);
         let whole = swept(&scratch, 32, &["--threads", "3"]);
         assert!(all(&bench, &grown) == all(&scratch, &whole), "{design}");
         swept(&bench, 16, &[]).refused(&refused);
