@@ -143,8 +143,9 @@ pub struct Landing {
     pub end_time: f64,
     /// Continuation beyond the verdict that is its outcome.
     pub beyond: Option<Beyond>,
-    /// Least stability angle σ up to the verdict, rad. Zero for a pitch topple, and where all feet stand on one side of
-    /// the plane of motion from the first instant, so that none is defined.
+    /// Least stability angle σ up to the verdict, or to rest under [`Stop::Rest`](crate::scene::Stop::Rest), rad. Zero for
+    /// a pitch topple, and where all feet stand on one side of the plane of motion from the first instant, so that none is
+    /// defined.
     pub min_stability_angle: f64,
     /// Time of the least stability angle, s.
     pub min_stability_time: f64,

@@ -19,8 +19,8 @@ pub const COLUMNS: [Column<Landing>; 18] = [
     Column::number(
         "min_stability_angle_deg",
         |landing| Some(landing.min_stability_angle.to_degrees()),
-        "least stability angle σ up to the verdict; 0 where the vehicle toppled, or was beyond its critical feet or the \
-         hull of its feet at any time",
+        "least stability angle σ up to the verdict, or to rest where the landing waits for it; 0 where the vehicle \
+         toppled, or was beyond its critical feet or the hull of its feet at any time",
     ),
     Column::number(
         "min_clearance_ft",
