@@ -41,13 +41,14 @@ pub fn kept(journal: &Path) -> PathBuf {
     journal.with_extension("journal.kept")
 }
 
-/// What the kept journal of a sample holds for the same sample with more points.
+/// Kept journal, as a run of the same sample finds it.
 enum Kept {
+    /// There is none, or none with fewer points.
     Nothing,
     /// It is damaged or differs, with the reason.
     Unusable(String),
-    /// Points of the sample with this header.
-    Smaller(Box<Header>),
+    /// It has points of the sample with this header.
+    Smaller(Records, Box<Header>),
 }
 
 impl Kept {
@@ -55,18 +56,18 @@ impl Kept {
         if !path.is_file() {
             return Ok(Self::Nothing);
         }
-        let smaller = match Records::open(path, Access::Shared) {
+        let (records, smaller) = match Records::open(path, Access::Shared) {
             Err(JournalError::NoHeader(_)) => {
                 return Ok(Self::Unusable("its head is damaged".to_owned()));
             }
-            opened => opened?.1,
+            opened => opened?,
         };
         if smaller.points >= header.points {
             return Ok(Self::Nothing);
         }
         let differences = header.differences_but_count(&smaller);
         Ok(match differences.is_empty() {
-            true => Self::Smaller(Box::new(smaller)),
+            true => Self::Smaller(records, Box::new(smaller)),
             false => Self::Unusable(format!(
                 "it differs from this run (here: now, there: in the file):\n  {}",
                 differences.join("\n  ")
@@ -115,7 +116,7 @@ impl Opened {
                 self.warnings.push(warning);
                 return Ok(0);
             }
-            Kept::Smaller(smaller) => smaller,
+            Kept::Smaller(_, smaller) => smaller,
         };
         let mut there = Journal::open(&path, &smaller)?;
         self.warnings.append(&mut there.warnings);

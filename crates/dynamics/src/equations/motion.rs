@@ -14,6 +14,7 @@ mod leg;
 mod leg_response;
 mod pieces;
 mod signals;
+mod stops;
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -163,33 +164,6 @@ impl Motion<f64> {
     pub fn thrust_place(&self, body: &BodyFrame<f64>) -> Vector3<f64> {
         let [x, y] = self.thrust_offset;
         body.seen_from_center_of_gravity(&Vector3::new(x, y, 0.0))
-    }
-
-    /// Brings the pad of leg `index` to a stop of its hinge: its rate against the link ends, and a free link takes over
-    /// its momentum. The stop provides the energy that this adds to the link.
-    pub fn stop_pad(&self, index: usize, link_is_free: bool, leg: &mut LegState<f64>) {
-        let LegMotion {
-            link_inertia,
-            pad_inertia,
-            ..
-        } = self.legs[index];
-        if link_is_free {
-            let before = leg.link_rate;
-            leg.link_rate -= pad_inertia / (link_inertia + pad_inertia) * leg.pad_rate;
-            let [.., stop] = &mut leg.work;
-            *stop -= 0.5 * link_inertia * (leg.link_rate * leg.link_rate - before * before);
-        }
-        leg.pad_rate = 0.0;
-    }
-
-    /// Brings the link of leg `index` to its extension stop, which takes its energy. A pad that swings keeps its own rate.
-    pub fn stop_link(&self, index: usize, pad_swings: bool, leg: &mut LegState<f64>) {
-        let [.., stop] = &mut leg.work;
-        *stop += 0.5 * self.legs[index].link_inertia * leg.link_rate * leg.link_rate;
-        if pad_swings {
-            leg.pad_rate -= leg.link_rate;
-        }
-        leg.link_rate = 0.0;
     }
 
     /// Moment of inertia of the lower link of leg `index` about its hardpoint, slug·ft².

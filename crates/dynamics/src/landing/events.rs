@@ -171,10 +171,13 @@ impl Trajectory<'_> {
     /// Ends the rate of a link that has arrived at its extension stop.
     fn stop_link(&mut self, leg: usize) {
         let mode = &self.modes[leg];
+        if !mode.is_held_by_stop(&self.laws[leg]) {
+            return;
+        }
         let mut state = self.step.before.leg(leg);
-        if mode.is_held_by_stop(&self.laws[leg]) && state.link_rate > 0.0 {
-            self.motion
-                .stop_link(leg, !mode.pad_is_on_stop(), &mut state);
+        if state.link_rate > 0.0 {
+            let pad_swings = !mode.pad_is_on_stop();
+            self.motion.stop_link(leg, pad_swings, &mut state);
             self.step.before.set_leg(leg, &state);
         }
     }

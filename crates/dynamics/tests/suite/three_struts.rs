@@ -497,7 +497,6 @@ fn at_rest_the_ground_bears_the_weight() {
     }
 }
 
-/// Feet are where their velocities take them.
 /// Greatest height to which its kinetic energy would lift the vehicle in the last 0.7 s of landings that end stable so, ft.
 fn greatest_last_lift(stop: Stop) -> f64 {
     let vehicle = lander(Arrangement::Tripod, 4, INERTIA);
@@ -532,6 +531,7 @@ fn a_verdict_allows_a_tenth_of_the_toppling_energy_and_rest_a_fiftieth() {
     );
 }
 
+/// Feet are where their velocities take them.
 #[test]
 fn histories_tell_how_feet_move() {
     let vehicle = lander(TRIPOD, 3, INERTIA);

@@ -74,14 +74,13 @@ impl Records {
                 }
             }
         }
-        let path = kept(path);
-        if let Kept::Smaller(_) = Kept::at(&path, header)? {
-            let (records, _) = Self::open(&path, Access::Shared)?;
+        if let Kept::Smaller(records, _) = Kept::at(&kept(path), header)? {
             records.add_points(header, &mut done)?;
         }
         Ok(done)
     }
 
+    /// Adds its points, by index in the shard of `header`.
     fn add_points(&self, header: &Header, done: &mut PointSet) -> Result<(), JournalError> {
         let refuse = |error| io_error(&self.path, error);
         let end = self.file.metadata().map_err(refuse)?.len();

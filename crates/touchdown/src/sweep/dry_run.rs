@@ -164,16 +164,16 @@ impl Looked {
         };
         text += &match self.done {
             Some(0) => String::new(),
-            Some(done) => format!(
-                "  {} holds {}: {} left\n",
-                match journal.is_file() {
-                    true => journal.to_owned(),
-                    false => journal::kept(journal),
-                }
-                .display(),
-                number(done, "point"),
-                points - done
-            ),
+            Some(done) => {
+                let kept = journal::kept(journal);
+                let held_in = if journal.is_file() { journal } else { &kept };
+                format!(
+                    "  {} holds {}: {} left\n",
+                    held_in.display(),
+                    number(done, "point"),
+                    points - done
+                )
+            }
             None => format!("  {} was not read in time\n", journal.display()),
         };
         let seconds = time.as_secs_f64();

@@ -5,6 +5,7 @@
 use crate::common::Bench;
 
 const FOUR_LEGS: &str = include_str!("../../../../sweeps/vehicles/four-legs.toml");
+const APOLLO_LIKE: &str = include_str!("../../../../sweeps/vehicles/apollo-like.toml");
 
 /// A case of a scene file: its outcome, its end (s), its tilt then (deg).
 #[derive(Debug, PartialEq)]
@@ -14,22 +15,30 @@ struct Told {
     tilt: f64,
 }
 
-/// What the cases of a scene file come to, in order. Their vehicles are the Surveyor and the lander with four legs.
-fn land(scene: &str) -> Vec<Told> {
+/// Columns of the table of a scene file, case by case. Its vehicles are the Surveyor, the lander with four legs, and the
+/// Apollo-like one.
+fn columns<const N: usize>(scene: &str, names: [&str; N]) -> Vec<[String; N]> {
     let bench = Bench::new();
     bench.write("four-legs.toml", FOUR_LEGS);
+    bench.write("apollo-like.toml", APOLLO_LIKE);
     bench.write("scene.toml", scene);
     let done = bench.run(&["land", "scene.toml", "--out", "out", "--interval", "1"]);
     assert!(done.code.is_some_and(|code| code < 2), "{}", done.err);
     let table = bench.read("out/scene.csv");
     let mut rows = table.lines().map(|row| row.split(',').collect::<Vec<_>>());
     let heading = rows.next().unwrap();
-    let place = |name: &str| heading.iter().position(|known| *known == name).unwrap();
-    let [outcome, end, tilt] = ["outcome", "end_time_s", "tilt_deg"].map(place);
-    rows.map(|row| Told {
-        outcome: row[outcome].to_owned(),
-        end: row[end].parse().unwrap(),
-        tilt: row[tilt].parse().unwrap(),
+    let places = names.map(|name| heading.iter().position(|known| *known == name).unwrap());
+    rows.map(|row| places.map(|place| row[place].to_owned()))
+        .collect()
+}
+
+/// What the cases of a scene file come to, in order.
+fn land(scene: &str) -> Vec<Told> {
+    let rows = columns(scene, ["outcome", "end_time_s", "tilt_deg"]).into_iter();
+    rows.map(|[outcome, end, tilt]| Told {
+        outcome,
+        end: end.parse().unwrap(),
+        tilt: tilt.parse().unwrap(),
     })
     .collect()
 }
@@ -189,6 +198,26 @@ fn static_friction_holds_no_vehicle_that_slides() {
     for told in land(&four_legs(1.0, 14.85, 0.2661, cases)) {
         assert_eq!(told.outcome, "time-expired", "{told:?}");
     }
+}
+
+/// After the verdict, at 1.15 s, it settles further, and loses 0.046 deg.
+#[test]
+fn the_least_stability_angle_of_three_struts_is_that_up_to_the_verdict() {
+    let scene = "vehicle = \"apollo-like.toml\"\n[scene]\nvertical_velocity_fps = 10\nhorizontal_velocity_mps = 0.975872617291248\n\
+         cross_slope_deg = 169.18371874\ntip_deg = 0.735952946861\ntip_azimuth_deg = 21.6342484541\n\
+         nominal_roll_deg = 16.666018812\nslope_deg = 3.72063653104\nfriction = 0.970766018972\n[solver]\n\
+         time_limit_s = 10\n[[case]]\nsolver.stop = \"verdict\"\n[[case]]\nsolver.stop = \"time\"\n\
+         [[case]]\nsolver.stop = \"rest\"\n";
+    let told = columns(scene, ["min_stability_angle_deg"]).into_iter();
+    let told: Vec<f64> = told.map(|[angle]| angle.parse().unwrap()).collect();
+    let [at_verdict, whole, at_rest] = told[..] else {
+        panic!("three landings")
+    };
+    assert_eq!(at_verdict, whole);
+    assert!(
+        at_rest < at_verdict - 0.02,
+        "{at_rest} at rest, {at_verdict} deg"
+    );
 }
 
 #[test]

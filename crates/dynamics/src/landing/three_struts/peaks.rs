@@ -34,7 +34,7 @@ impl Simulation<'_> {
             false => self.look(&self.state_at(reach)),
         };
         let seen = [self.seen, self.look(&middle), end];
-        // The least σ is that up to the verdict.
+        let least_angle = self.extremes.angle;
         for (theta, seen) in thetas.into_iter().zip(seen).skip(1) {
             let time = self.time_at(theta);
             self.extremes.note_angle(seen, time);
@@ -45,6 +45,10 @@ impl Simulation<'_> {
             self.look(&self.state_at(theta)).angle
         }) {
             self.extremes.angle = (angle, self.time_at(theta));
+        }
+        if self.noted.is_some() {
+            // The least σ is that up to the verdict.
+            self.extremes.angle = least_angle;
         }
         let clearances = nodes(|seen| seen.clearance);
         if let Some((_, clearance)) = close_in(clearances, self.extremes.clearance, |theta| {

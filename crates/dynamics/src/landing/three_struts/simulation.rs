@@ -64,7 +64,7 @@ pub(in crate::landing) struct Simulation<'o> {
     pub(super) extremes: Extremes,
     toppling: Toppling,
     /// Verdict beyond which the landing goes on, and its time, s.
-    noted: Option<(Outcome, f64)>,
+    pub(super) noted: Option<(Outcome, f64)>,
     pub(super) pad_contact: PerLeg<Option<f64>>,
     pub(super) steps: u64,
     attempts: u64,

@@ -64,7 +64,8 @@ impl Stance {
         }
     }
 
-    /// Returns whether the link is on its stop, and nothing pushes it in.
+    /// Returns whether the link is on its stop, and nothing pushes it in. (One that is pushed may have been in by less than
+    /// the stroke at which the strut sets in, and come back.)
     pub fn is_on_stop(&self) -> bool {
         matches!(self, Self::Hanging { .. } | Self::Stopped { pushed: false })
     }
