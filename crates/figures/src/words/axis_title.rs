@@ -1,9 +1,25 @@
 //! Names of columns and parameters in words and symbols: titles of axes, with units, and parts of sentences.
 
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
 use touchdown_dynamics::quantities;
 use touchdown_input::documents::history_columns::OF_BODY;
 
 use crate::unit::{bare_name, unit_of};
+
+/// Titles of columns of histories and of conditions, by their names without units.
+static TITLES: LazyLock<HashMap<&str, &str>> = LazyLock::new(|| {
+    let of_input = quantities::CONDITIONS
+        .iter()
+        .map(|quantity| (quantity.key, quantity.title));
+    let of_history = OF_BODY.iter().map(|column| (column.name(), column.title()));
+    // What both name is titled as in histories.
+    of_input
+        .chain(of_history)
+        .filter_map(|(name, title)| Some((bare_name(name), title?)))
+        .collect()
+});
 
 /// The title of the axis of a column: its name in words with its unit.
 pub fn axis_title(column: &str) -> String {
@@ -16,18 +32,8 @@ pub fn axis_title(column: &str) -> String {
 
 /// The title of the axis of a column without its unit.
 pub fn bare_title(column: &str) -> String {
-    let bare = bare_name(column);
-    let is_it = |name| bare_name(name) == bare;
-    let of_history = || {
-        let column = OF_BODY.iter().find(|column| is_it(column.name()))?;
-        column.title()
-    };
-    let of_input = || {
-        let mut conditions = quantities::CONDITIONS.iter();
-        conditions.find(|quantity| is_it(quantity.key))?.title
-    };
-    match of_history().or_else(of_input) {
-        Some(title) => title.to_owned(),
+    match TITLES.get(bare_name(column)) {
+        Some(title) => (*title).to_owned(),
         None => capitalized(&leg_last(&parameter_words(column))),
     }
 }

@@ -5,6 +5,9 @@
 //! short names, which results always use. A parameter named in an SI unit has its values and result columns in that
 //! unit.
 
+use std::sync::OnceLock;
+
+use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::quantity::Quantity;
 
 use crate::documents::column::{Cell, Heading, Kind};
@@ -56,9 +59,9 @@ impl Parameter {
             Some((short, known.name.clone(), conversion, Some(known.quantity)))
         });
         let others = || {
-            dotted(legs).into_iter().find_map(|(known, quantity)| {
-                let conversion = dotted_conversion(name, &known)?;
-                Some((name, known, conversion, quantity))
+            dotted(legs).iter().find_map(|(known, quantity)| {
+                let conversion = dotted_conversion(name, known)?;
+                Some((name, known.clone(), conversion, *quantity))
             })
         };
         let is_scene = of_scene.is_some();
@@ -97,7 +100,7 @@ impl Parameter {
         };
         let all = scene
             .chain(full)
-            .chain(dotted(legs).into_iter().map(|(name, _)| name));
+            .chain(dotted(legs).iter().map(|(name, _)| name.clone()));
         let all: Vec<String> = all
             .filter(|known| !known.starts_with("scene.") || name.starts_with("scene."))
             .collect();
@@ -247,7 +250,7 @@ impl Parameter {
 /// Names of all parameters of vehicles with `legs` legs, in program units.
 pub fn names(legs: usize) -> impl Iterator<Item = String> {
     let scene = scene_input::names(legs).map(str::to_owned);
-    scene.chain(dotted(legs).into_iter().map(|(name, _)| name))
+    scene.chain(dotted(legs).iter().map(|(name, _)| name.clone()))
 }
 
 /// Parameters that take words, and their words.
@@ -259,8 +262,17 @@ fn word_keys() -> impl Iterator<Item = (String, Vec<&'static str>)> {
         .chain(solver.map(|(key, words)| (format!("solver.{key}"), words)))
 }
 
-/// All parameters outside the scene, by name.
-fn dotted(legs: usize) -> Vec<(String, Option<&'static Quantity>)> {
+/// A name in program units, and its entry in the catalogue; `None` for words.
+type NamedQuantity = (String, Option<&'static Quantity>);
+
+/// All parameters outside the scene of vehicles with `legs` legs.
+fn dotted(legs: usize) -> &'static [NamedQuantity] {
+    static BY_LEGS: [OnceLock<Vec<NamedQuantity>>; MOST_LEGS + 1] =
+        [const { OnceLock::new() }; MOST_LEGS + 1];
+    BY_LEGS[legs].get_or_init(|| all_dotted(legs))
+}
+
+fn all_dotted(legs: usize) -> Vec<NamedQuantity> {
     let vehicle = vehicle_file::numbers(legs).into_iter();
     let search = const { &search_input::NUMBERS }.iter();
     let words = word_keys().map(|(key, _)| (key, None));
