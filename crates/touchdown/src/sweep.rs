@@ -102,7 +102,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let shard = options.shard.unwrap_or(Shard::WHOLE);
     check_budgets(&sweeps, shard)?;
     if options.dry_run {
-        let told = dry_run::tell(&sweeps, shard, options.threads, &options.out)?;
+        let told = dry_run::tell(&sweeps, shard, options)?;
         return print(&told);
     }
     let cancel = interrupt::flag()?;

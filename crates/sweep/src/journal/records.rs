@@ -56,12 +56,12 @@ impl Records {
         Ok((records, header))
     }
 
-    /// Points that a run with `header` would find done in the journal at `path`, or take over from the kept journal of a
-    /// smaller sample, by index in its shard. Writes nothing.
+    /// Points that a run with `header` would find done in the journal at `path` and, if it `takes_over`, in the kept journal of
+    /// a smaller sample, by index in its shard. Writes nothing.
     ///
     /// # Errors
     /// If the journal belongs to other input; errors of the file system.
-    pub fn done(path: &Path, header: &Header) -> Result<PointSet, JournalError> {
+    pub fn done(path: &Path, header: &Header, takes_over: bool) -> Result<PointSet, JournalError> {
         let mut done = PointSet::none(header.most_points());
         if path.is_file() {
             match Self::open(path, Access::Shared) {
@@ -74,7 +74,7 @@ impl Records {
                 }
             }
         }
-        if let Kept::Smaller(records, _) = Kept::at(&kept(path), header)? {
+        if takes_over && let Kept::Smaller(records, _) = Kept::at(&kept(path), header)? {
             records.add_points(header, &mut done)?;
         }
         Ok(done)

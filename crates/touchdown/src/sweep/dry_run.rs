@@ -1,8 +1,7 @@
 //! `touchdown sweep --dry-run`: what sweeps will take, before they begin.
 
 use std::collections::BTreeMap;
-use std::num::NonZeroUsize;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
@@ -21,6 +20,7 @@ use touchdown_sweep::output::results;
 use touchdown_sweep::summary::findings::Finding;
 use touchdown_sweep::threads::run::{Observer, RunError, Workers};
 
+use super::Options;
 use crate::axis_words;
 use crate::estimate::{Estimate, Sample, Taken, evenly};
 use crate::summary::number;
@@ -35,26 +35,23 @@ const MOST_CHECKED: usize = 10_000;
 /// Points of a sample that are searched at a time for each thread: few are begun and not finished when the time is up.
 const SEARCHES: usize = 4;
 
-/// What sweeps, or a shard of each, will take, one by one and in all; in words. Their journals, if there are any, are in
-/// the folder `out`.
-pub fn tell(
-    sweeps: &[Sweep],
-    shard: Shard,
-    threads: Option<NonZeroUsize>,
-    out: &Path,
-) -> Result<String, Failure> {
+/// What sweeps, or a shard of each, will take with these options, one by one and in all; in words.
+pub fn tell(sweeps: &[Sweep], shard: Shard, options: &Options) -> Result<String, Failure> {
     let time = TIME_FOR_ONE.min(TIME_FOR_ALL / sweeps.len().max(1) as u32);
     let mut text = String::new();
     let mut all = Estimate::default();
     let mut unknown = 0;
     let mut used = 1;
     for sweep in sweeps {
-        let workers = Workers::start(threads)?;
+        let workers = Workers::start(options.threads)?;
         used = workers.threads();
-        let journal = out.join(shard.journal(&sweep.stem()));
-        let looked = look(sweep, shard, workers, &journal, Instant::now() + time)?;
+        let held = Held {
+            journal: options.out.join(shard.journal(&sweep.stem())),
+            takes_over: !options.overwrite,
+        };
+        let looked = look(sweep, shard, workers, &held, Instant::now() + time)?;
         let estimate = looked.sample.estimate();
-        text += &looked.text(sweep, &journal, estimate, used, time);
+        text += &looked.text(sweep, &held.journal, estimate, used, time);
         match estimate {
             Some(estimate) => all += estimate,
             None => unknown += 1,
@@ -75,6 +72,14 @@ pub fn tell(
         };
     }
     Ok(text)
+}
+
+/// Where a run would find points already computed.
+#[derive(Clone)]
+struct Held {
+    journal: PathBuf,
+    /// True if those of a smaller sample count, which are beside the journal.
+    takes_over: bool,
 }
 
 /// The points that are known to be wanted before a run: all of a sweep, or of a shard; of a map, the first round.
@@ -205,7 +210,7 @@ fn look(
     sweep: &Sweep,
     shard: Shard,
     workers: Workers,
-    journal: &Path,
+    held: &Held,
     end: Instant,
 ) -> Result<Looked, Failure> {
     let points = Points::of(sweep, shard);
@@ -219,8 +224,8 @@ fn look(
         cancel: Arc::clone(&cancel),
         sender,
     };
-    let path = journal.to_owned();
-    thread::spawn(move || sampling.run(&workers, &path));
+    let held = held.clone();
+    thread::spawn(move || sampling.run(&workers, &held));
 
     let mut checked = 0;
     for index in evenly(points.count, MOST_CHECKED) {
@@ -291,16 +296,16 @@ struct Sampling {
 }
 
 impl Sampling {
-    fn run(self, workers: &Workers, journal: &Path) {
-        if let Err(failure) = self.sample(workers, journal) {
+    fn run(self, workers: &Workers, held: &Held) {
+        if let Err(failure) = self.sample(workers, held) {
             self.send(News::Failed(failure));
         }
     }
 
-    fn sample(&self, workers: &Workers, journal: &Path) -> Result<(), Failure> {
+    fn sample(&self, workers: &Workers, held: &Held) -> Result<(), Failure> {
         let sweep = &self.sweep;
         let all = Points::of(sweep, self.shard);
-        let done = all.among(self.done(journal)?);
+        let done = all.among(self.done(held)?);
         let left = all.count - done.len();
         let points: Vec<usize> = missing(&done, &evenly(left, MOST_SAMPLED))
             .into_iter()
@@ -323,11 +328,11 @@ impl Sampling {
         }
     }
 
-    /// The points that a run would find in the journal, or in that of a smaller sample.
-    fn done(&self, journal: &Path) -> Result<PointSet, Failure> {
+    /// The points that a run would find.
+    fn done(&self, held: &Held) -> Result<PointSet, Failure> {
         let header = Header::new(&self.sweep, env!("CARGO_PKG_VERSION"), self.shard)
             .map_err(|fault| Failure::running(format!("the first point: {fault}")))?;
-        Ok(Records::done(journal, &header)?)
+        Ok(Records::done(&held.journal, &header, held.takes_over)?)
     }
 
     fn send(&self, news: News) {

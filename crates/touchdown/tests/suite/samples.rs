@@ -108,6 +108,8 @@ fn a_grown_sample_takes_over_the_points_of_the_smaller_one() {
         let whole = swept(&scratch, 32, &["--threads", "3"]);
         assert!(all(&bench, &grown) == all(&scratch, &whole), "{design}");
         swept(&bench, 16, &[]).refused(&refused);
+        let beforehand = swept(&bench, 33, &["--overwrite", "--dry-run"]);
+        assert!(!beforehand.out.contains("holds"), "{}", beforehand.out);
         let anew = swept(&bench, 33, &["--overwrite"]);
         assert_eq!(anew.code, Some(0), "{}", anew.err);
         assert!(!anew.err.contains("took"), "{}", anew.err);
