@@ -130,10 +130,11 @@ fn run(
     // The number of points of a map emerges round by round.
     let known_before = sweep.map().is_none().then(|| sweep.design.count());
     work.more(known_before.unwrap_or(0));
-    let mut run = runner.begin(Task::Sweep(sweep, Shard::WHOLE))?;
-    if !overwrite {
-        run.take_over()?;
-    }
+    let task = Task::Sweep(sweep, Shard::WHOLE);
+    let run = match overwrite {
+        true => runner.begin(task)?,
+        false => runner.begin_or_grow(task)?.0,
+    };
     let of_journal = run.warnings().to_vec();
     let mut found = run.compute()?.results()?;
     let draw = |_: &_, _: &str| Ok::<_, Failure>(NamedFiles::new());

@@ -43,7 +43,7 @@ pub fn kept(journal: &Path) -> PathBuf {
 
 /// Kept journal, as a run of the same sample finds it.
 enum Kept {
-    /// There is none, or none with fewer points.
+    /// There is none, or none of the same shard with fewer points.
     Nothing,
     /// It is damaged or differs, with the reason.
     Unusable(String),
@@ -62,7 +62,7 @@ impl Kept {
             }
             opened => opened?,
         };
-        if smaller.points >= header.points {
+        if smaller.points >= header.points || smaller.shard() != header.shard() {
             return Ok(Self::Nothing);
         }
         let differences = header.differences_but_count(&smaller);
@@ -73,6 +73,20 @@ impl Kept {
                 differences.join("\n  ")
             )),
         })
+    }
+}
+
+/// Renames the journal at `path` to its kept name if it is of the same sample with fewer points: a run with `header` begins its
+/// own and takes those over. What is wrong with a journal is said by [`Journal::open`].
+///
+/// # Errors
+/// Errors of the file system.
+pub(crate) fn set_smaller_aside(path: &Path, header: &Header) -> Result<(), JournalError> {
+    match Kept::at(path, header) {
+        Ok(Kept::Smaller(..)) => {
+            fs::rename(path, kept(path)).map_err(|error| io_error(path, error))
+        }
+        _ => Ok(()),
     }
 }
 
@@ -123,15 +137,21 @@ impl Opened {
         let mut results = there.journal.so_far(smaller.points)?;
         let mut taken = 0;
         let going_on = |_: &usize| !cancel.load(Ordering::Relaxed);
-        for point in there.done.members().take_while(going_on) {
+        for index in there.done.members().take_while(going_on) {
+            let point = header.shard().point(index);
             if let Some(result) = results.result(point)?
-                && self.done.insert(point)
+                && self.done.insert(index)
             {
                 self.journal.add(point, &result)?;
                 taken += 1;
             }
         }
         self.journal.finish()?;
+        if !cancel.load(Ordering::Relaxed) {
+            // All that it holds is in the new journal.
+            drop((results, there));
+            fs::remove_file(&path).map_err(|error| io_error(&path, error))?;
+        }
         Ok(taken)
     }
 

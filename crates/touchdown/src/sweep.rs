@@ -291,10 +291,10 @@ impl Invocation<'_> {
             cancel: self.cancel,
             version: env!("CARGO_PKG_VERSION"),
         };
-        let mut run = runner.begin(Task::Sweep(sweep, shard))?;
-        let taken = match self.options.overwrite {
-            true => 0,
-            false => run.take_over()?,
+        let task = Task::Sweep(sweep, shard);
+        let (run, taken) = match self.options.overwrite {
+            true => (runner.begin(task)?, 0),
+            false => runner.begin_or_grow(task)?,
         };
         for warning in run.warnings() {
             eprintln!("touchdown: {warning}");

@@ -56,14 +56,15 @@ impl Records {
         Ok((records, header))
     }
 
-    /// Points that a run with `header` would find done in the journal at `path` and, if it `takes_over`, in the kept journal of
-    /// a smaller sample, by index in its shard. Writes nothing.
+    /// Points that a run with `header` would find done in the journal at `path` and, if it `grows`, in that of a smaller
+    /// sample, by index in its shard. Writes nothing.
     ///
     /// # Errors
     /// If the journal belongs to other input; errors of the file system.
-    pub fn done(path: &Path, header: &Header, takes_over: bool) -> Result<PointSet, JournalError> {
+    pub fn done(path: &Path, header: &Header, grows: bool) -> Result<PointSet, JournalError> {
         let mut done = PointSet::none(header.most_points());
-        if path.is_file() {
+        let is_smaller = grows && matches!(Kept::at(path, header), Ok(Kept::Smaller(..)));
+        if !is_smaller && path.is_file() {
             match Self::open(path, Access::Shared) {
                 // A run begins it anew.
                 Err(JournalError::NoHeader(_)) => {}
@@ -74,7 +75,12 @@ impl Records {
                 }
             }
         }
-        if takes_over && let Kept::Smaller(records, _) = Kept::at(&kept(path), header)? {
+        let smaller = if is_smaller {
+            path.to_owned()
+        } else {
+            kept(path)
+        };
+        if grows && let Kept::Smaller(records, _) = Kept::at(&smaller, header)? {
             records.add_points(header, &mut done)?;
         }
         Ok(done)

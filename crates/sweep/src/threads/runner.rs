@@ -45,7 +45,7 @@ use touchdown_input::sweeps::sweep_file::Sweep;
 
 use crate::journal::header::Header;
 use crate::journal::shard::Shard;
-use crate::journal::{InOrder, Journal, JournalError, Opened};
+use crate::journal::{InOrder, Journal, JournalError, Opened, set_smaller_aside};
 use crate::output::file_writer::Folder;
 use crate::threads::run::{Observer, RunError, Workers};
 
@@ -80,6 +80,11 @@ impl Task<'_> {
             Self::Cases(table, _) => table.len(),
         }
     }
+
+    /// Returns whether its points are the first of those with a greater count.
+    fn can_grow(&self) -> bool {
+        matches!(self, Self::Sweep(sweep, _) if sweep.design.is_nested())
+    }
 }
 
 /// A run whose journal is open.
@@ -87,16 +92,30 @@ pub struct Run<'r> {
     runner: &'r Runner<'r>,
     task: Task<'r>,
     path: PathBuf,
-    header: Header,
     opened: Opened,
 }
 
 impl<'r> Runner<'r> {
-    /// Opens the journal of a run, or creates it, and tells the observer how many points it has.
+    /// Begins a run as [`Runner::begin`] does, and adds the points of the same sample with fewer points, if there is a journal of
+    /// it; returns how many. Any other run has none. Stops when the run is cancelled.
     ///
     /// # Errors
-    /// If the journal belongs to other input or cannot be opened.
-    pub fn begin(&'r self, task: Task<'r>) -> Result<Run<'r>, RunError> {
+    /// As [`Runner::begin`].
+    pub fn begin_or_grow(&'r self, task: Task<'r>) -> Result<(Run<'r>, usize), RunError> {
+        if !task.can_grow() {
+            return Ok((self.begin(task)?, 0));
+        }
+        let (path, header) = self.journal(task)?;
+        set_smaller_aside(&path, &header).map_err(RunError::Journal)?;
+        let mut run = self.begin(task)?;
+        let taken = run.opened.take_over(&header, self.cancel);
+        let taken = taken.map_err(RunError::Journal)?;
+        self.observer.skip(taken);
+        Ok((run, taken))
+    }
+
+    /// Place and header of the journal of a run.
+    fn journal(&self, task: Task) -> Result<(PathBuf, Header), RunError> {
         let (name, header) = match task {
             Task::Sweep(sweep, shard) => {
                 let header = Header::new(sweep, self.version, shard);
@@ -111,14 +130,21 @@ impl<'r> Runner<'r> {
                 Header::of_cases(table, self.version),
             ),
         };
-        let path = self.folder.path(&name);
+        Ok((self.folder.path(&name), header))
+    }
+
+    /// Opens the journal of a run, or creates it, and tells the observer how many points it has.
+    ///
+    /// # Errors
+    /// If the journal belongs to other input or cannot be opened.
+    pub fn begin(&'r self, task: Task<'r>) -> Result<Run<'r>, RunError> {
+        let (path, header) = self.journal(task)?;
         let opened = Journal::open(&path, &header).map_err(RunError::Journal)?;
         self.observer.skip(opened.done.len());
         Ok(Run {
             runner: self,
             task,
             path,
-            header,
             opened,
         })
     }
@@ -138,23 +164,6 @@ impl Run<'_> {
     /// Points in the journal.
     pub fn earlier(&self) -> usize {
         self.opened.done.len()
-    }
-
-    /// Adds the points of a finished sample to the journal of the same sample with more points; returns how many. Any
-    /// other run has none. Stops when the run is cancelled.
-    ///
-    /// # Errors
-    /// Errors of the file system.
-    pub fn take_over(&mut self) -> Result<usize, RunError> {
-        let taken = match self.task {
-            Task::Sweep(sweep, Shard::WHOLE) if sweep.design.is_nested() => {
-                self.opened.take_over(&self.header, self.runner.cancel)
-            }
-            _ => Ok(0),
-        };
-        let taken = taken.map_err(RunError::Journal)?;
-        self.runner.observer.skip(taken);
-        Ok(taken)
     }
 
     /// Computes the points that are not in the journal.

@@ -47,7 +47,7 @@ pub fn tell(sweeps: &[Sweep], shard: Shard, options: &Options) -> Result<String,
         used = workers.threads();
         let held = Held {
             journal: options.out.join(shard.journal(&sweep.stem())),
-            takes_over: !options.overwrite,
+            grows: !options.overwrite && sweep.design.is_nested(),
         };
         let looked = look(sweep, shard, workers, &held, Instant::now() + time)?;
         let estimate = looked.sample.estimate();
@@ -78,8 +78,8 @@ pub fn tell(sweeps: &[Sweep], shard: Shard, options: &Options) -> Result<String,
 #[derive(Clone)]
 struct Held {
     journal: PathBuf,
-    /// True if those of a smaller sample count, which are beside the journal.
-    takes_over: bool,
+    /// True if those of a smaller sample count.
+    grows: bool,
 }
 
 /// The points that are known to be wanted before a run: all of a sweep, or of a shard; of a map, the first round.
@@ -332,7 +332,7 @@ impl Sampling {
     fn done(&self, held: &Held) -> Result<PointSet, Failure> {
         let header = Header::new(&self.sweep, env!("CARGO_PKG_VERSION"), self.shard)
             .map_err(|fault| Failure::running(format!("the first point: {fault}")))?;
-        Ok(Records::done(&held.journal, &header, held.takes_over)?)
+        Ok(Records::done(&held.journal, &header, held.grows)?)
     }
 
     fn send(&self, news: News) {

@@ -120,6 +120,48 @@ fn a_grown_sample_takes_over_the_points_of_the_smaller_one() {
     }
 }
 
+/// Shards of a sample, and a run of the whole that was not finished, grow as a finished one does.
+#[test]
+fn shards_of_a_grown_sample_take_over_the_points_of_their_smaller_ones() {
+    let [bench, scratch] = [Bench::new(), Bench::new()];
+    bench.write("sweep.toml", SAMPLE);
+    scratch.write("sweep.toml", SAMPLE);
+    let shards = ["1/3", "2/3", "3/3"];
+    let merged = |bench: &Bench| {
+        let done = bench.run(&["merge", "results"]);
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        std::fs::read(bench.path("results/sweep.csv")).unwrap()
+    };
+    for shard in shards {
+        assert_eq!(swept(&bench, 16, &["--shard", shard]).code, Some(0));
+        assert_eq!(swept(&scratch, 32, &["--shard", shard]).code, Some(0));
+    }
+    merged(&bench);
+    for (shard, [held, all]) in shards.into_iter().zip([[6, 11], [5, 11], [5, 10]]) {
+        let journal = format!("results/sweep.{}.journal", shard.replace('/', "-of-"));
+        let beforehand = swept(&bench, 32, &["--shard", shard, "--dry-run"]);
+        let told = format!("{journal} holds {held} points: {} left", all - held);
+        assert!(beforehand.out.contains(&told), "{}", beforehand.out);
+        let other = swept(&bench, 32, &["--shard", shard, "--set", "sample.seed=2"]);
+        other.refused(&["other input"]);
+        let grown = swept(&bench, 32, &["--shard", shard]);
+        let told = format!("took {held} of {all} points from {journal}.kept");
+        assert!(grown.err.contains(&told), "{}", grown.err);
+        assert!(!bench.path(&format!("{journal}.kept")).exists());
+    }
+    assert!(merged(&bench) == merged(&scratch));
+
+    // As if it had been interrupted at its last point.
+    let whole = Bench::new();
+    whole.write("sweep.toml", SAMPLE);
+    assert_eq!(swept(&whole, 16, &[]).code, Some(0));
+    std::fs::rename(whole.path(KEPT), whole.path("results/sweep.journal")).unwrap();
+    let grown = swept(&whole, 32, &[]);
+    assert!(grown.err.contains("took 16 of 32 points"), "{}", grown.err);
+    let table = |bench: &Bench| std::fs::read(bench.path("results/sweep.csv")).unwrap();
+    assert!(table(&whole) == table(&scratch));
+}
+
 #[test]
 fn a_kept_journal_that_was_changed_is_told_and_not_trusted() {
     let scratch = bench();
