@@ -89,6 +89,10 @@ fn read(file: &Path, place: &[Assignment]) -> Result<Sweep, InputError> {
     if ending == "toml" {
         return Sweep::read(file)?.at(place);
     }
+    if file.is_dir() {
+        let complaint = "is a folder: expected one of the tables in it, such as NAME.csv";
+        return Err(InputError::in_file(file, complaint));
+    }
     let record = file.with_extension("json");
     let text = fs::read_to_string(&record).map_err(|error| {
         let complaint = format!("{error}: expected a sweep file, or results beside their record");

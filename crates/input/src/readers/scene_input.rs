@@ -30,6 +30,7 @@ use crate::readers::settings_input::choice_beside_three_struts;
 
 use attitude::{EULER, TIP};
 pub(crate) use footing::{FOOTING, FOOTING_KEYS};
+pub use soil::soil_names;
 pub(crate) use soil::{SOIL, SOIL_KEYS};
 pub(crate) use thrust::{THRUST, THRUST_KEYS};
 

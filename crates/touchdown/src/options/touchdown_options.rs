@@ -1,6 +1,6 @@
 //! Touchdown conditions on the command line.
 
-use clap::builder::ValueParser;
+use clap::builder::{PossibleValuesParser, ValueParser};
 use clap::{Arg, ArgGroup, ArgMatches, Args, Command, FromArgMatches};
 use touchdown_dynamics::per_leg::MOST_LEGS;
 use touchdown_dynamics::quantities::{
@@ -14,7 +14,7 @@ use touchdown_input::documents::output_units::OutputUnits;
 use touchdown_input::documents::unit::{unit, without_program_unit};
 use touchdown_input::points::assignment::{self, Assignment};
 use touchdown_input::points::parameter::Parameter;
-use touchdown_input::readers::scene_input::{NamedConditions, SceneFault};
+use touchdown_input::readers::scene_input::{NamedConditions, SceneFault, soil_names};
 
 /// The conditions of a single touchdown: an option for each in the catalogue, and one in SI where results in SI have
 /// another unit.
@@ -22,6 +22,8 @@ use touchdown_input::readers::scene_input::{NamedConditions, SceneFault};
 pub struct TouchdownOptions {
     /// What is given, in its unit.
     given: Vec<(Parameter, f64)>,
+    /// Name of the soil.
+    soil: Option<String>,
 }
 
 /// Angular velocities, which one option gives.
@@ -31,6 +33,7 @@ const RATES: [&Quantity; 3] = [
     &ANGULAR_VELOCITY_Z,
 ];
 const RATES_OPTION: &str = "angular-velocity";
+const SOIL_OPTION: &str = "soil";
 
 /// The conditions that have an option for themselves.
 fn single() -> impl Iterator<Item = &'static Quantity> {
@@ -99,7 +102,12 @@ impl Args for TouchdownOptions {
             .value_parser(ValueParser::from(triple))
             .allow_hyphen_values(true)
             .help("Angular velocity about the vehicle's axes x, y and z, deg/s [default: 0,0,0]");
-        let arguments: Vec<Arg> = single.chain([rates]).collect();
+        let soil = Arg::new(SOIL_OPTION)
+            .long(SOIL_OPTION)
+            .value_name("NAME")
+            .value_parser(PossibleValuesParser::new(soil_names()))
+            .help("Soil under footpads and blocks, of a landing site on the Moon [default: rock]");
+        let arguments: Vec<Arg> = single.chain([rates, soil]).collect();
         let names: Vec<_> = arguments.iter().map(|one| one.get_id().clone()).collect();
         let group = ArgGroup::new("TouchdownOptions").multiple(true).args(names);
         command
@@ -125,6 +133,7 @@ impl FromArgMatches for TouchdownOptions {
             rates.filter_map(|(rate, value)| Some((Parameter::named(rate.key, MOST_LEGS)?, value)));
         Ok(Self {
             given: single.chain(rates).collect(),
+            soil: matches.get_one(SOIL_OPTION).cloned(),
         })
     }
 
@@ -138,6 +147,9 @@ impl TouchdownOptions {
     /// The conditions by name.
     pub fn named(&self) -> NamedConditions {
         let mut conditions = NamedConditions::default();
+        if let Some(soil) = &self.soil {
+            conditions.set_soil(soil);
+        }
         for (parameter, value) in &self.given {
             conditions.set(parameter.program_name(), parameter.to_program(*value));
         }
@@ -149,7 +161,8 @@ impl TouchdownOptions {
         let mut conditions = self.named();
         for one in set {
             let name = one.parameter().program_name();
-            if conditions.get(name).is_some() {
+            let mut given = self.given.iter();
+            if given.any(|(parameter, _)| parameter.program_name() == name) {
                 return Err(one.refuse(&format!(
                     "{} is given too: expected one of them",
                     option_of(name)

@@ -84,6 +84,7 @@ fn what_cannot_be_asked_is_refused() {
             "roll_deg=1",
             &["y.json: ", "or results beside their record"],
         ),
+        (".", "roll_deg=1", &["is a folder", "NAME.csv"]),
         (
             "outcome.toml",
             "roll_deg=1",

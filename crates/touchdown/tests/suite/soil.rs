@@ -71,6 +71,25 @@ fn reports_and_histories_tell_sinkage_on_soil_alone() {
     }
 }
 
+/// An option names a soil; `--set` replaces a number of it.
+#[test]
+fn a_soil_is_named_on_the_command_line() {
+    let bench = Bench::new();
+    let landed = |soil: &[&str]| {
+        let done = bench.run(&[&BASELINE[..], soil].concat());
+        assert_eq!(done.code, Some(0), "{}", done.err);
+        done.out
+    };
+    let firm = ["--soil", "surveyor-3"];
+    let weak = ["--soil", "surveyor-7"];
+    assert_eq!(landed(&["--soil", "rock"]), landed(&[]));
+    assert_ne!(landed(&weak), landed(&firm));
+    let strengthened = ["--set", "soil.bearing_strength_kpa=55"];
+    assert_eq!(landed(&[weak, strengthened].concat()), landed(&firm));
+    let refused = bench.run(&[&BASELINE[..], &["--soil", "regolith"]].concat());
+    refused.refused(&["regolith", "rock, surveyor-1, surveyor-3"]);
+}
+
 #[rustfmt::skip]
 const REFUSED: [(&str, &str); 6] = [
     ("soil = \"regolith\"", "\"rock\", \"surveyor-1\", \"surveyor-3\""),

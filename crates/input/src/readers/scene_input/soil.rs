@@ -41,37 +41,43 @@ pub(super) fn find<'d>(scene: &Section<'d>, name: &str) -> Option<LocatedValue<'
     soil.optional(SOIL_KEYS[key])
 }
 
-/// The names, as complaints list them.
-fn listed() -> String {
-    let names = SOILS.map(|(name, _)| format!("\"{name}\""));
-    format!("\"{ROCK}\", {} or a table of numbers", names.join(", "))
+/// The names, that of no soil first.
+pub fn soil_names() -> impl Iterator<Item = &'static str> {
+    std::iter::once(ROCK).chain(SOILS.map(|(name, _)| name))
 }
 
 impl NamedConditions {
+    /// Sets the numbers of a soil by its name. Returns whether it is one of the [`soil_names`].
+    pub fn set_soil(&mut self, word: &str) -> bool {
+        let Some((_, strength)) = SOILS.iter().find(|(name, _)| *name == word) else {
+            return word == ROCK;
+        };
+        let numbers = [
+            ("bearing_strength_kpa", *strength),
+            ("bearing_depth_cm", 5.0),
+            ("bearing_exponent", 1.0),
+            ("rebound", REBOUND),
+        ];
+        for ((key, name), (spelling, number)) in SOIL_KEYS.iter().zip(names()).zip(numbers) {
+            if let Some(unit) = conversion(spelling, key) {
+                self.set(name, unit.to_program(number));
+            }
+        }
+        true
+    }
+
     pub(super) fn read_soil(&mut self, scene: &Section) -> Result<(), InputError> {
         let Some(found) = scene.optional(SOIL) else {
             return Ok(());
         };
         if let Ok(word) = found.text() {
-            if word == ROCK {
-                return Ok(());
-            }
-            let known = SOILS.iter().find(|(name, _)| *name == word);
-            let Some((_, strength)) = known else {
-                return Err(found.complain(&listed()));
-            };
-            let numbers = [
-                ("bearing_strength_kpa", *strength),
-                ("bearing_depth_cm", 5.0),
-                ("bearing_exponent", 1.0),
-                ("rebound", REBOUND),
-            ];
-            for ((key, name), (spelling, number)) in SOIL_KEYS.iter().zip(names()).zip(numbers) {
-                if let Some(unit) = conversion(spelling, key) {
-                    self.set(name, unit.to_program(number));
+            let listed: Vec<String> = soil_names().map(|name| format!("\"{name}\"")).collect();
+            return match self.set_soil(word) {
+                true => Ok(()),
+                false => {
+                    Err(found.complain(&format!("{} or a table of numbers", listed.join(", "))))
                 }
-            }
-            return Ok(());
+            };
         }
         let Some(soil) = scene.optional_section(SOIL, &SOIL_KEYS)? else {
             return Ok(());
