@@ -58,10 +58,7 @@ for (const { name: source } of sources) {
   }
   requests.push(["parameters", { touchdown: { source } }], ["strip", { touchdown: { source } }]);
   requests.push(["bands", { touchdown: { source }, from_fps: 8, to_fps: 14 }]);
-  // A boundary on legs of honeycomb takes hundreds of landings; their bands are searched all the same.
-  if (!source.endsWith("legs")) {
-    requests.push(["boundary", { touchdown: { source }, axes: ["cross_slope_deg", "roll_deg"], place: [170, 5] }]);
-  }
+  requests.push(["boundary", { touchdown: { source }, axes: ["cross_slope_deg", "roll_deg"], place: [170, 5] }]);
   for (const name of ["scene_file", "history_file", "command"]) requests.push([name, { touchdown: { source } }]);
 }
 for (const { name: results_, axes } of results) {

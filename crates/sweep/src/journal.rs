@@ -76,18 +76,23 @@ impl Kept {
     }
 }
 
-/// Renames the journal at `path` to its kept name if it is of the same sample with fewer points: a run with `header` begins its
-/// own and takes those over. What is wrong with a journal is said by [`Journal::open`].
+/// Returns whether a run with `header` sets the journal at `path` aside, to take its points over: it is of the same sample with
+/// fewer points, and no other such journal is kept, whose place it would take.
+fn is_set_aside(path: &Path, header: &Header) -> bool {
+    let is_smaller = |path: &Path| matches!(Kept::at(path, header), Ok(Kept::Smaller(..)));
+    is_smaller(path) && !is_smaller(&kept(path))
+}
+
+/// Renames the journal at `path` to its kept name if a run with `header` sets it aside. [`Journal::open`] says what is wrong with
+/// any other.
 ///
 /// # Errors
 /// Errors of the file system.
 pub(crate) fn set_smaller_aside(path: &Path, header: &Header) -> Result<(), JournalError> {
-    match Kept::at(path, header) {
-        Ok(Kept::Smaller(..)) => {
-            fs::rename(path, kept(path)).map_err(|error| io_error(path, error))
-        }
-        _ => Ok(()),
+    if is_set_aside(path, header) {
+        fs::rename(path, kept(path)).map_err(|error| io_error(path, error))?;
     }
+    Ok(())
 }
 
 /// A journal open for adding points; meanwhile no other process can open it.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::error::{JournalError, io_error};
 use super::head::{Head, read_head, same};
 use super::scan::{Piece, Scan};
-use super::{Kept, kept, record};
+use super::{Kept, is_set_aside, kept, record};
 use crate::journal::header::Header;
 use crate::journal::point_set::PointSet;
 
@@ -63,8 +63,8 @@ impl Records {
     /// If the journal belongs to other input; errors of the file system.
     pub fn done(path: &Path, header: &Header, grows: bool) -> Result<PointSet, JournalError> {
         let mut done = PointSet::none(header.most_points());
-        let is_smaller = grows && matches!(Kept::at(path, header), Ok(Kept::Smaller(..)));
-        if !is_smaller && path.is_file() {
+        let sets_aside = grows && is_set_aside(path, header);
+        if !sets_aside && path.is_file() {
             match Self::open(path, Access::Shared) {
                 // A run begins it anew.
                 Err(JournalError::NoHeader(_)) => {}
@@ -75,7 +75,7 @@ impl Records {
                 }
             }
         }
-        let smaller = if is_smaller {
+        let smaller = if sets_aside {
             path.to_owned()
         } else {
             kept(path)

@@ -107,7 +107,7 @@ impl<'r> Runner<'r> {
         }
         let (path, header) = self.journal(task)?;
         set_smaller_aside(&path, &header).map_err(RunError::Journal)?;
-        let mut run = self.begin(task)?;
+        let mut run = self.open(task, path, &header)?;
         let taken = run.opened.take_over(&header, self.cancel);
         let taken = taken.map_err(RunError::Journal)?;
         self.observer.skip(taken);
@@ -139,7 +139,11 @@ impl<'r> Runner<'r> {
     /// If the journal belongs to other input or cannot be opened.
     pub fn begin(&'r self, task: Task<'r>) -> Result<Run<'r>, RunError> {
         let (path, header) = self.journal(task)?;
-        let opened = Journal::open(&path, &header).map_err(RunError::Journal)?;
+        self.open(task, path, &header)
+    }
+
+    fn open(&'r self, task: Task<'r>, path: PathBuf, header: &Header) -> Result<Run<'r>, RunError> {
+        let opened = Journal::open(&path, header).map_err(RunError::Journal)?;
         self.observer.skip(opened.done.len());
         Ok(Run {
             runner: self,

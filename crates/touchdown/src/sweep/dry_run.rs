@@ -35,7 +35,7 @@ const MOST_CHECKED: usize = 10_000;
 /// Points of a sample that are searched at a time for each thread: few are begun and not finished when the time is up.
 const SEARCHES: usize = 4;
 
-/// What sweeps, or a shard of each, will take with these options, one by one and in all; in words.
+/// Estimates what sweeps, or a shard of each, will take with these options, one by one and in all; in words.
 pub fn tell(sweeps: &[Sweep], shard: Shard, options: &Options) -> Result<String, Failure> {
     let time = TIME_FOR_ONE.min(TIME_FOR_ALL / sweeps.len().max(1) as u32);
     let mut text = String::new();
@@ -74,7 +74,7 @@ pub fn tell(sweeps: &[Sweep], shard: Shard, options: &Options) -> Result<String,
     Ok(text)
 }
 
-/// Where a run would find points already computed.
+/// Journal in which a run would find points that are already computed.
 #[derive(Clone)]
 struct Held {
     journal: PathBuf,

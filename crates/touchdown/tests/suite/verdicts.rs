@@ -32,7 +32,7 @@ fn columns<const N: usize>(scene: &str, names: [&str; N]) -> Vec<[String; N]> {
         .collect()
 }
 
-/// What the cases of a scene file come to, in order.
+/// Outcomes of the cases of a scene file, in order.
 fn land(scene: &str) -> Vec<Told> {
     let rows = columns(scene, ["outcome", "end_time_s", "tilt_deg"]).into_iter();
     rows.map(|[outcome, end, tilt]| Told {
