@@ -410,6 +410,11 @@ quantities! {
         "part of z₀ by which a plate rises when it is unloaded from σ₀: 0 would be no elasticity, 1 no set")
         .also("no sinking steeper than unloading")
         .usually(Between(0.001, 0.1));
+    INERTIAL_DRAG = new(
+        "inertial_drag_slug_ft3", Range::closed(0.0, 1000.0),
+        "inertial drag α: soil that is pushed aside resists sinking at a rate ż by α ż², about its density times ż²")
+        .default(0.0)
+        .usually(Between(0.0, 6.0));
 }
 
 const HEIGHT: Range = Range::closed(-1000.0, 1000.0);

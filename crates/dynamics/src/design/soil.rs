@@ -4,7 +4,9 @@ use libm::pow;
 
 use crate::invalid::{Invalid, require};
 use crate::profile::{Segment, lines};
-use crate::quantities::{BEARING_DEPTH, BEARING_EXPONENT, BEARING_STRENGTH, REBOUND};
+use crate::quantities::{
+    BEARING_DEPTH, BEARING_EXPONENT, BEARING_STRENGTH, INERTIAL_DRAG, REBOUND,
+};
 
 /// Material of the ground.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -17,13 +19,14 @@ pub enum Soil {
 }
 
 /// Bearing of a plate by soil: the pressure σ = σ₀ (z/z₀)ⁿ (lb/ft²; Bekker's law) at a growing sinkage z (ft), a straight line
-/// back, and a set that stays (docs/model.md, "Soil").
+/// back, and a set that stays; and a pressure α ż² against sinking at a rate ż (docs/model.md, "Soil").
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bearing {
     strength: f64,
     depth: f64,
     exponent: f64,
     rebound: f64,
+    inertial_drag: f64,
 }
 
 impl Soil {
@@ -39,6 +42,9 @@ impl Soil {
     }
 }
 
+/// Table of these numbers in input files.
+const TABLE: &str = "soil";
+
 /// Sinkages of the table's knots, over z₀, where the law is no straight line.
 const KNOTS: [f64; 7] = [0.0, 0.0625, 0.25, 0.5, 1.0, 1.5, 2.0];
 
@@ -49,7 +55,6 @@ impl Bearing {
     /// # Errors
     /// Names the first number outside its range, in the words of the sweep file.
     pub fn new(strength: f64, depth: f64, exponent: f64, rebound: f64) -> Result<Self, Invalid> {
-        const TABLE: &str = "soil";
         BEARING_STRENGTH.check(TABLE, strength)?;
         BEARING_DEPTH.check(TABLE, depth)?;
         BEARING_EXPONENT.check(TABLE, exponent)?;
@@ -59,6 +64,7 @@ impl Bearing {
             depth,
             exponent,
             rebound,
+            inertial_drag: 0.0,
         };
         let slopes = bearing.sinking().into_iter().map(|line| line.slope);
         let steepest = slopes.fold(0.0_f64, f64::max);
@@ -86,6 +92,23 @@ impl Bearing {
         };
         let knots: Vec<[f64; 2]> = parts.iter().map(knot).collect();
         lines(&knots)
+    }
+
+    /// The same soil with an inertial drag α, slug/ft³: what a plate that sinks at a rate ż pushes aside resists with α ż².
+    ///
+    /// # Errors
+    /// If α is outside its range.
+    pub fn with_inertial_drag(self, inertial_drag: f64) -> Result<Self, Invalid> {
+        INERTIAL_DRAG.check(TABLE, inertial_drag)?;
+        Ok(Self {
+            inertial_drag,
+            ..self
+        })
+    }
+
+    /// Inertial drag α, slug/ft³.
+    pub fn inertial_drag(&self) -> f64 {
+        self.inertial_drag
     }
 
     /// Slope of unloading and reloading, lb/ft³.

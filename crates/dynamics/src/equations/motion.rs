@@ -277,13 +277,14 @@ impl<S: Real> Motion<S> {
     }
 
     /// Returns whether any of the rare actions is present: a pad that presses on a stop or is on its edge, ground of
-    /// its own under a leg, thrust.
+    /// its own under a leg, soil with inertial drag, thrust.
     #[inline(always)]
     pub fn is_full(&self, pieces: &Pieces<S>) -> bool {
         pieces.press_stops()
             || !self.legs.iter().all(|leg| leg.ground.is_even())
             || !pieces.thrust().is_none()
             || pieces.has_edges()
+            || pieces.have_drag()
     }
 
     /// Returns whether the ground acts where it is touched ([`ContactRule::Face`]).

@@ -78,14 +78,14 @@ impl<S: Real> ForceDerivative<S> {
 }
 
 /// Most derivatives of forces on a leg.
-const MOST: usize = 9;
+const MOST: usize = 12;
 
 /// Derivatives of the forces on one leg.
 #[derive(Debug, Clone, Copy)]
 pub struct LegResponse<S> {
-    /// Those of pad and block with respect to sliding along and across and to interference (of each section by itself
-    /// if it acts at its face), and of a damped hinge. Pads or blocks that carry no pressure in any lane are
-    /// left out.
+    /// Those of pad and block with respect to sliding along and across, to interference and, on soil with drag, to its rate (of
+    /// each section by itself if it acts at its face), and of a damped hinge. Pads or blocks that carry no pressure in any lane
+    /// are left out.
     derivatives: [ForceDerivative<S>; MOST],
     count: usize,
     /// Further torque on the link per displacement, ft·lb.

@@ -17,14 +17,20 @@ use crate::scalar::Real;
 
 pub(crate) use on_soil::elastic_slope;
 
-/// A straight line of relative pressure against interference (ft).
+/// A straight line of relative pressure against interference (ft), and what soil that is pushed aside adds to it.
 #[derive(Debug, Clone, Copy)]
 pub struct PressureLine<S> {
     offset: S,
     slope: S,
+    /// Relative pressure per squared rate of the interference, s²/ft².
+    drag: S,
 }
 
-per_lane!(PressureLine { offset, slope });
+per_lane!(PressureLine {
+    offset,
+    slope,
+    drag
+});
 
 impl<S: Real> PressureLine<S> {
     /// No pressure at any interference.
@@ -32,6 +38,7 @@ impl<S: Real> PressureLine<S> {
         Self {
             offset: S::zero(),
             slope: S::zero(),
+            drag: S::zero(),
         }
     }
 
@@ -52,6 +59,24 @@ impl<S: Real> PressureLine<S> {
     pub fn at(&self, interference: S) -> S {
         self.offset + self.slope * interference
     }
+
+    /// Returns whether the rate of the interference matters.
+    #[inline(always)]
+    pub fn has_drag(&self) -> bool {
+        !self.drag.is_zero()
+    }
+
+    /// Relative pressure that an interference growing at this rate (ft/s) adds.
+    #[inline(always)]
+    pub fn drag_at(&self, rate: S) -> S {
+        self.drag * rate * rate.max(S::zero())
+    }
+
+    /// Change of that pressure with the rate, s/ft.
+    #[inline(always)]
+    pub fn drag_damping(&self, rate: S) -> S {
+        S::constant(2.0) * self.drag * rate.max(S::zero())
+    }
 }
 
 /// Crush law of one kind of element.
@@ -64,6 +89,8 @@ pub struct CrushLaw {
     sinkage: Arc<[Segment]>,
     /// Elastic sinkage per relative pressure, ft.
     compliance: f64,
+    /// Relative pressure per squared rate of sinkage, s²/ft².
+    drag: f64,
 }
 
 /// Elastic interference I − P above which elements count as in contact, ft.
@@ -105,6 +132,7 @@ impl CrushLaw {
             pressure_threshold,
             sinkage: Arc::default(),
             compliance: 0.0,
+            drag: 0.0,
         }
     }
 
@@ -130,9 +158,25 @@ impl CrushLaw {
 
     /// The elastic line of an element without a set.
     pub fn elastic_line(&self) -> PressureLine<f64> {
+        self.line_from(0.0)
+    }
+
+    /// The elastic line of an element with this plastic set, ft.
+    fn line_from(&self, set: f64) -> PressureLine<f64> {
         PressureLine {
-            offset: 0.0,
+            offset: -self.elastic_slope * set,
             slope: self.elastic_slope,
+            drag: 0.0,
+        }
+    }
+
+    /// A line of the front.
+    fn front_line(&self, segment: usize) -> PressureLine<f64> {
+        let Segment { offset, slope, .. } = self.segments[segment];
+        PressureLine {
+            offset,
+            slope,
+            drag: self.front_drag(segment),
         }
     }
 
@@ -203,10 +247,9 @@ impl CrushLaw {
                 in_contact: false,
             };
         }
-        let line = |offset, slope| PressureLine { offset, slope };
         if elastic <= self.pressure_threshold {
             return CrushState {
-                line: line(0.0, 0.0),
+                line: PressureLine::slack(),
                 set,
                 in_contact: elastic > CONTACT_THRESHOLD,
             };
@@ -214,15 +257,14 @@ impl CrushLaw {
         let segment = self.segment_at(interference);
         let front_set = self.front_set(segment, interference);
         if driven && front_set >= set {
-            let Segment { offset, slope, .. } = self.segments[segment];
             return CrushState {
-                line: line(offset, slope),
+                line: self.front_line(segment),
                 set: front_set,
                 in_contact: true,
             };
         }
         CrushState {
-            line: line(-self.elastic_slope * set, self.elastic_slope),
+            line: self.line_from(set),
             set,
             in_contact: true,
         }
@@ -365,14 +407,8 @@ impl Crush {
             Stage::Absent | Stage::Clear | Stage::Touching | Stage::TakingOver => {
                 PressureLine::slack()
             }
-            Stage::Elastic | Stage::Overdriven => PressureLine {
-                offset: -law.elastic_slope * self.set,
-                slope: law.elastic_slope,
-            },
-            Stage::Front(segment) => {
-                let Segment { offset, slope, .. } = law.segments[segment];
-                PressureLine { offset, slope }
-            }
+            Stage::Elastic | Stage::Overdriven => law.line_from(self.set),
+            Stage::Front(segment) => law.front_line(segment),
         }
     }
 

@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_PI_8;
 use touchdown_dynamics::crush::CrushLaw;
 use touchdown_dynamics::ground::{Ground, LegFooting};
 use touchdown_dynamics::land::land;
-use touchdown_dynamics::landing::Landing;
+use touchdown_dynamics::landing::{Instant, Landing};
 use touchdown_dynamics::profile::Profile;
 use touchdown_dynamics::rules::Rules;
 use touchdown_dynamics::scene::{Conditions, CrushRule, Scene, Settings};
@@ -177,6 +177,120 @@ fn pads_sink_by_the_work_that_they_take() {
     assert!(sinkage > 10.0 * crush && sinkage > 0.02, "{sinkage}");
 }
 
+/// Pads of a lander dropped on soil that they push aside: the ground bears by how deep they are, and by the square of the
+/// rate at which they sink.
+#[test]
+fn soil_resists_by_the_square_of_the_rate_of_sinking() {
+    let vehicle = lander(&profile());
+    let [strength, depth, drag, interval] = [600.0, 0.2, 6.0, 2e-4];
+    let bearing = soil(strength, depth, 1.0, 0.001);
+    let scene = Scene::new(Conditions {
+        slope: 0.0,
+        vertical_velocity: 6.0,
+        pad_friction: 0.0,
+        soil: Soil::Yielding(bearing.with_inertial_drag(drag).unwrap()),
+        ..level(180.0, 0.0, 0.0)
+    });
+    let (_, instants) = history(&vehicle, &scene.unwrap(), &settings(1e-9), interval);
+    let diameter = vehicle.hinged_legs()[0].design().footpad.diameter;
+    let area = 2.0 * FRAC_PI_8 * diameter * diameter;
+    let sinkage = |at: &Instant| at.legs[0].sinkages.unwrap().pad[0];
+    let (mut compared, mut by_rate) = (0, 0.0_f64);
+    for around in instants[1..400].windows(3) {
+        let [before, here, after] = [0, 1, 2].map(|k| sinkage(&around[k]));
+        if before == 0.0 || after <= here {
+            continue;
+        }
+        let rate = (after - before) / (2.0 * interval);
+        let pressures = [strength * here / depth, drag * rate * rate];
+        let found = around[1].legs[0].pad_normal / area;
+        let expected = pressures[0] + pressures[1];
+        // The pad is inclined by a few degrees, and the rate a difference.
+        assert!(
+            (found - expected).abs() < 0.02 * expected,
+            "{here}: {found} for {expected}"
+        );
+        compared += 1;
+        by_rate = by_rate.max(pressures[1] / expected);
+    }
+    assert!(compared > 50 && by_rate > 0.5, "{compared}, {by_rate}");
+}
+
+/// The way of a mass (slug) that falls on one pad (1 ft²) at 14 ft/s, until it stands: on the front of pad and soil, and
+/// where the pad and the soil, which sinks as fast as the pad pushes it aside, are followed one by one.
+fn ways_of_a_pad(mass: f64, bearing: &Bearing, strength: f64, depth: f64) -> [f64; 2] {
+    const TIME_STEP: f64 = 1e-5;
+    let drag = bearing.inertial_drag();
+    let pad = CrushLaw::new(&profile(), 0.0);
+    let both = pad.clone().on_soil(bearing, PRESSURE);
+    let load_at = |crush: f64| PRESSURE * pad.state_at(0.0, crush, true).line.at(crush);
+    let fall = |load: &mut dyn FnMut(f64, f64) -> f64| {
+        let (mut way, mut speed) = (0.0, 14.0);
+        while speed > 0.0 {
+            way += TIME_STEP * speed;
+            speed -= TIME_STEP * load(way, speed) / mass;
+        }
+        way
+    };
+    let on_front = fall(&mut |way, speed| {
+        let line = both.state_at(0.0, way, true).line;
+        PRESSURE * (line.at(way) + line.drag_at(speed))
+    });
+    let mut sinkage = 0.0_f64;
+    let one_by_one = fall(&mut |way, _| {
+        // Pad and soil bear alike at the sinkage after this step.
+        let (mut least, mut greatest) = (sinkage, way);
+        for _ in 0..40 {
+            let next = 0.5 * (least + greatest);
+            let rate = (next - sinkage) / TIME_STEP;
+            let soil = strength * next / depth + drag * rate * rate;
+            if soil > load_at(way - next) {
+                greatest = next;
+            } else {
+                least = next;
+            }
+        }
+        sinkage = least;
+        load_at(way - sinkage)
+    });
+    [on_front, one_by_one]
+}
+
+/// A pad is not crushed by the drag of soil. That makes its way too short, by a part of what the drag shortens it.
+#[test]
+fn drag_on_the_front_is_nearly_drag_on_the_soil() {
+    for (mass, strength, drag, off) in [
+        (2.0, 440.0, 3.0, 0.012),
+        (2.0, 440.0, 6.0, 0.055),
+        (2.0, 1150.0, 3.0, 0.05),
+        (2.0, 1150.0, 6.0, 0.135),
+    ] {
+        let depth = 0.164;
+        let still = soil(strength, depth, 1.0, 0.001);
+        let bearing = still.with_inertial_drag(drag).unwrap();
+        let [found, expected] = ways_of_a_pad(mass, &bearing, strength, depth);
+        let [without, _] = ways_of_a_pad(mass, &still, strength, depth);
+        let short = 1.0 - found / expected;
+        let shortened = 1.0 - expected / without;
+        assert!(short > 0.0 && short < off, "{strength}, {drag}: {short}");
+        assert!(shortened > 1.2 * short, "{strength}, {drag}: {shortened}");
+    }
+}
+
+/// As little as soil resists being pushed aside, as little it changes a landing.
+#[test]
+fn soil_of_little_inertia_lands_as_soil_of_none() {
+    let (vehicle, conditions) = (lander(&profile()), level(180.0, 20.0, 9.0));
+    let sunk = |drag: f64| {
+        let soil = soil(600.0, 0.2, 1.0, 0.01).with_inertial_drag(drag);
+        landed(&vehicle, conditions, Soil::Yielding(soil.unwrap()), 1e-9).max_sinkage[0]
+    };
+    let [none, least, less, much] = [0.0, 0.003, 0.03, 3.0].map(sunk);
+    assert!(much < 0.95 * none, "{much} of {none}");
+    let ratio = (none - less) / (none - least);
+    assert!((ratio - 10.0).abs() < 0.3, "of first order: {ratio}");
+}
+
 /// Soil that is stronger under all legs is that stronger soil, bit for bit. Where one leg of a lander that lands level stands on
 /// stronger soil than the others, it sinks less than they do, as long as all soil yields like a spring: half as much on twice the
 /// strength at the same pressure.
@@ -249,6 +363,7 @@ fn soil_only_takes_energy() {
         let part = nth as f64 / 60.0;
         let strength = 200.0 * 30_f64.powf(part);
         let bearing = soil(strength, 0.05 + 0.2 * (1.0 - part), 0.5 + 1.5 * part, 0.01);
+        let bearing = bearing.with_inertial_drag((nth % 3) as f64 * 3.0).unwrap();
         let landing = landed(&vehicle, conditions, Soil::Yielding(bearing), 1e-7);
         let energies = &landing.energies;
         let scale = energies.initial_kinetic + energies.potential_change.abs();
@@ -269,7 +384,8 @@ fn soil_only_takes_energy() {
 #[test]
 fn finer_tolerances_agree_on_soil() {
     let vehicle = ring(4).with_rules(Rules::PHYSICAL);
-    let soft = Soil::Yielding(soil(500.0, 0.2, 0.8, 0.01));
+    let soft = soil(500.0, 0.2, 0.8, 0.01).with_inertial_drag(3.0).unwrap();
+    let soft = Soil::Yielding(soft);
     let conditions = level(170.0, 10.0, 8.0);
     let at = |tolerance| landed(&vehicle, conditions, soft, tolerance);
     let [coarse, fine, finest] = [1e-5, 1e-7, 1e-10].map(at);
@@ -319,4 +435,6 @@ fn soil_that_would_heal_is_refused() {
         let refused = Bearing::new(strength, depth, exponent, rebound).unwrap_err();
         assert_eq!(refused.quantity, quantity, "{numbers:?}");
     }
+    let refused = soil(500.0, 0.2, 1.0, 0.01).with_inertial_drag(-1.0);
+    assert_eq!(refused.unwrap_err().quantity, "soil.inertial_drag_slug_ft3");
 }

@@ -167,7 +167,10 @@ fn wild(nth: usize) -> (Vehicle, Conditions) {
     ] = numbers;
     let arrangement = KINDS[(1.5 * (kind + 1.0)) as usize];
     let vehicle = lander(arrangement, 3 + ((legs + 1.0) * 2.0) as usize, INERTIA);
-    let bearing = || Bearing::new(4000.0, 0.4, 1.0, 0.02).unwrap();
+    let bearing = || {
+        let bearing = Bearing::new(4000.0, 0.4, 1.0, 0.02).unwrap();
+        bearing.with_inertial_drag(3.0).unwrap()
+    };
     let conditions = Conditions {
         vertical_velocity: 8.0 + 4.0 * vv,
         horizontal_velocity: 6.0 * (1.0 + vh),

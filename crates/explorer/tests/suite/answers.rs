@@ -453,7 +453,7 @@ fn a_pad_stands_in_its_print() {
         "horizontal_velocity_fps": 5, "soil.bearing_strength_psf": 440, "soil.bearing_depth_ft": 0.16, "soil.rebound": 0.004,
     });
     assert_eq!(told(&rock), [""; 0]);
-    assert_eq!(told(&soil).len(), 4);
+    assert_eq!(told(&soil).len(), 5);
     let depth = |values: &Value, key: &str| {
         let answer = landing(values.clone());
         let all = answer["drawing"]["instants"]["legs"][0][key]

@@ -35,7 +35,7 @@ pub fn in_si(name: &str) -> Option<String> {
 pub fn printed_unit(unit: &str) -> String {
     match unit {
         "1" => String::new(),
-        unit => unit.replace('2', "²"),
+        unit => unit.replace('2', "²").replace('3', "³"),
     }
 }
 

@@ -33,12 +33,17 @@ const fn si(ending: &'static str, words: &'static str, factor: f64) -> SiUnit {
 
 /// One foot is 0.3048 m, one inch 0.0254 m and one pound-force 4.4482216152605 N. The other factors follow from these;
 /// the slug is 1 lb s2/ft.
-pub(crate) const UNITS: [Unit; 17] = [
+pub(crate) const UNITS: [Unit; 18] = [
     unit_of("_slug", "slug", &[si("_kg", "kg", 14.593902937206364)]),
     unit_of(
         "_slug_ft2",
         "slug ft2",
         &[si("_kg_m2", "kg m2", 1.3558179483314003)],
+    ),
+    unit_of(
+        "_slug_ft3",
+        "slug/ft3",
+        &[si("_kg_m3", "kg/m3", 515.3788183931961)],
     ),
     unit_of(
         "_ft",

@@ -50,6 +50,8 @@ const ENGINES: [&str; 3] = ["off", "dies away", "stays on"];
 /// Pressures under which soil gives way by 5 cm, lb/ft²: 5 to 200 kPa.
 const STRENGTHS: [f64; 2] = [104.0, 4177.0];
 const DEPTH: f64 = 0.05 / 0.3048;
+/// Inertial drags, slug/ft³: 150 to 3000 kg/m³.
+const DRAGS: [f64; 2] = [0.29, 5.82];
 
 /// What random landers are made of.
 pub struct Stock {
@@ -311,7 +313,7 @@ pub fn like(
     Vehicle::new(mass, model.gravity(), height, inertia, legs)
 }
 
-/// Soil of any strength.
+/// Soil of any strength, one half of it with inertial drag.
 fn soil(random: &mut Random) -> Result<Soil, Invalid> {
     let strength = random.log_between(STRENGTHS[0], STRENGTHS[1]);
     let bearing = Bearing::new(
@@ -320,7 +322,9 @@ fn soil(random: &mut Random) -> Result<Soil, Invalid> {
         random.between(0.7, 1.4),
         random.log_between(0.002, 0.1),
     );
-    bearing.map(Soil::Yielding)
+    let drags = [0.0, random.log_between(DRAGS[0], DRAGS[1])];
+    let drag = drags[random.below(drags.len())];
+    bearing?.with_inertial_drag(drag).map(Soil::Yielding)
 }
 
 /// Ground of its own under each leg, but where it is even.

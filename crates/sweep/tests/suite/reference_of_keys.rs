@@ -111,7 +111,7 @@ fn row(table: &str, number: &Quantity) -> String {
     format!(
         "| `{}` | {}{per} | {}{and}{} | {default} | {} |",
         number.key,
-        unit.replace('2', "²"),
+        unit.replace('2', "²").replace('3', "³"),
         number
             .range
             .to_string()
@@ -168,7 +168,7 @@ fn units_are_those_that_keys_carry() {
     for (table, prefix) in with_units {
         for row in page[table].iter().filter(|row| !row[1].is_empty()) {
             let name = format!("{prefix}{}", row[0].trim_matches('`'));
-            let plain = row[1].replace('·', " ").replace('²', "2");
+            let plain = row[1].replace('·', " ").replace('²', "2").replace('³', "3");
             assert_eq!(plain, unit(&name), "{name}");
         }
     }

@@ -67,12 +67,16 @@ type ToSi = fn(f64) -> f64;
 type Unit = (&'static str, &'static [(&'static str, ToSi)]);
 
 /// The longer ending of two that fit comes first.
-const UNITS: [Unit; 15] = [
+const UNITS: [Unit; 16] = [
     ("_ftlb_s", &[("_nm_s", |x| x * POUND * FOOT)]),
     ("_lb_per_ft", &[("_n_per_m", |x| x * POUND / FOOT)]),
     ("_lb_s_per_ft", &[("_n_s_per_m", |x| x * POUND / FOOT)]),
     ("_per_ft", &[("_per_m", |x| x / FOOT)]),
     ("_slug_ft2", &[("_kg_m2", |x| x * POUND * FOOT)]),
+    (
+        "_slug_ft3",
+        &[("_kg_m3", |x| x * POUND / FOOT / FOOT / FOOT / FOOT)],
+    ),
     ("_slug", &[("_kg", |x| x * POUND / FOOT)]),
     ("_lb", &[("_n", |x| x * POUND)]),
     (

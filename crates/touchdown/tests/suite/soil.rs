@@ -47,6 +47,12 @@ fn a_soil_by_name_is_its_numbers_and_rock_is_none() {
     // Weaker soil, deeper prints.
     let weaker = landed(&bench, "soil = \"surveyor-7\"");
     assert!(weaker.1 > 1.3 * named.1, "{weaker:?}");
+    // Soil that resists being pushed aside, another landing; 515.379 kg/m³ are 1 slug/ft³.
+    let dragging = |key: &str| landed(&bench, &numbers.replace(" }", &format!(", {key} }}")));
+    let drag = dragging("inertial_drag_kg_m3 = 1546.1364549595883");
+    let same = dragging("inertial_drag_slug_ft3 = 3");
+    assert!((drag.1 - same.1).abs() < 1e-9, "{drag:?} {same:?}");
+    assert!((drag.1 - named.1).abs() > 1e-5, "{drag:?} {named:?}");
 }
 
 #[test]
@@ -91,13 +97,15 @@ fn a_soil_is_named_on_the_command_line() {
 }
 
 #[rustfmt::skip]
-const REFUSED: [(&str, &str); 6] = [
+const REFUSED: [(&str, &str); 8] = [
     ("soil = \"regolith\"", "\"rock\", \"surveyor-1\", \"surveyor-3\""),
     ("soil = 3", "a table"),
     ("soil = { bearing_strength_kpa = 55 }", "bearing_depth_ft"),
     ("soil = { bearing_strength_kpa = -1, bearing_depth_cm = 5, rebound = 0.004 }", "bearing_strength_kpa"),
     ("soil = { bearing_strength_kpa = 55, bearing_depth_cm = 5, bearing_exponent = 2, rebound = 0.9 }", "unloading is steeper than sinking"),
     ("soil = { cohesion = 1 }", "cohesion"),
+    ("soil = { bearing_strength_kpa = 55, bearing_depth_cm = 5, rebound = 0.004, inertial_drag_kg_m3 = -1 }", "inertial_drag_kg_m3"),
+    ("soil = { inertial_drag_kg_m3 = 1500 }", "bearing_strength_psf"),
 ];
 
 #[test]

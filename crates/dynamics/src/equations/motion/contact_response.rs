@@ -239,7 +239,11 @@ impl<'a, S: Real, const FACE: bool> Contact<'a, S, FACE> {
 
     /// Velocity in a direction, per velocities, of a place at this offset from the pivot, ft.
     #[inline(always)]
-    fn along_beside(&self, direction: &Vector3<S>, offset: &Vector3<S>) -> Coordinates<S> {
+    pub(super) fn along_beside(
+        &self,
+        direction: &Vector3<S>,
+        offset: &Vector3<S>,
+    ) -> Coordinates<S> {
         let translation = self.geometry.in_vehicle_axes(direction);
         let moment = self.point.moment(direction);
         let link = self.swing.dot(direction);

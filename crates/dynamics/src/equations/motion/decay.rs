@@ -71,14 +71,16 @@ impl<S: Real> LegMotion<S> {
         let per_leg = [per_link, per_pad];
         if pressed.pads {
             let [along, across] = if FACE {
-                let press = self.press(&frame, &pose, pieces);
+                let pressures = self.pad_pressures(&frame, &pose, leg, pieces, pressed.drag);
+                let press = self.press(&pressures, &frame, &pose, pieces);
                 Contact::of_face(self, &posture, press.place).decays(
                     press.normal,
                     per_body,
                     per_leg,
                 )
             } else {
-                let [outer, inner] = self.pad_section_forces(&pose, pieces);
+                let [outer, inner] =
+                    self.pad_section_forces(&frame, &pose, leg, pieces, pressed.drag);
                 let force = outer + inner + self.edge_load(&frame, &pose, pieces);
                 Contact::of_pad(self, &posture).decays(force, per_body, per_leg)
             };
@@ -86,7 +88,7 @@ impl<S: Real> LegMotion<S> {
             greatest += across;
         }
         if pressed.blocks {
-            let force = self.block_normal(&frame, &pose, pieces);
+            let force = self.block_normal(&frame, &pose, pieces, pressed.drag);
             let contact = Contact::of_block(self, &posture);
             let [along, across] = contact.decays(force, per_body, per_leg);
             greatest += along;

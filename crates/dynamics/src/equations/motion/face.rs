@@ -23,26 +23,22 @@ pub(super) struct Press<S> {
 }
 
 impl<S: Real> LegMotion<S> {
-    /// Relative pressures on the outboard and inboard section of the footpad.
-    #[inline(always)]
-    pub(super) fn pad_pressures(&self, pose: &LegPose<S>, pieces: &LegPieces<S>) -> [S; 2] {
-        let [outer, inner] = pose.pad_interference;
-        [pieces.pad[0].at(outer), pieces.pad[1].at(inner)]
-    }
-
-    /// Place and magnitude of the ground's push on a footpad. The normal forces on both sections amount to one at their
-    /// centre of pressure, with one friction force. Between unloaded sections the centre is in the middle.
+    /// Place and magnitude of the ground's push on a footpad by these relative pressures on its sections. Their normal forces amount to one at their centre of pressure, with
+    /// one friction force. Between unloaded sections the centre is in the middle.
     #[inline(always)]
     pub(super) fn press(
         &self,
+        pressures: &[S; 2],
         frame: &LegFrame<S>,
         pose: &LegPose<S>,
         pieces: &LegPieces<S>,
     ) -> Press<S> {
         let (zero, one) = (S::zero(), S::one());
-        let [outer, inner] = self.pad_pressures(pose, pieces);
-        let on_face = self.pad_force_per_pressure(pose) * (outer + inner);
+        // What drags stores nothing.
+        let [outer, inner] = self.still_pad_pressures(pose, pieces);
         let leaning = self.pad_leaning * pose.pad_inclination * (outer * outer + inner * inner);
+        let [outer, inner] = *pressures;
+        let on_face = self.pad_force_per_pressure(pose) * (outer + inner);
         // The stages of a step may pull a little.
         let (outer, inner) = (outer.max(zero), inner.max(zero));
         let sum = outer + inner;
@@ -63,7 +59,7 @@ impl<S: Real> LegMotion<S> {
         }
     }
 
-    /// Action of the ground on a footpad whose pivot swings at l_L γ̇ (ft/s); its torque (52) on the hinge, opening
+    /// Action of the ground on a footpad; its torque (52) on the hinge, opening
     /// positive (ft·lb); and the power that leaning takes up (ft·lb/s).
     #[inline(always)]
     pub(super) fn face_touch(
@@ -72,10 +68,12 @@ impl<S: Real> LegMotion<S> {
         pose: &LegPose<S>,
         leg: &LegState<S>,
         pieces: &LegPieces<S>,
-        swing: S,
+        drags: bool,
     ) -> (Touch<S>, S, S) {
         let n = &frame.pad.normal;
-        let press = self.press(frame, pose, pieces);
+        let swing = self.geometry.link_length() * leg.link_rate;
+        let pressures = self.pad_pressures(frame, pose, leg, pieces, drags);
+        let press = self.press(&pressures, frame, pose, pieces);
         let turning = pieces.hinge.pad_turning(leg.link_rate, leg.pad_rate);
         let by_hinge = turned(&press.place);
         let at = pose.pivot.in_leg_axes() + press.place;

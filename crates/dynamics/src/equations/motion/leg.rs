@@ -198,13 +198,61 @@ impl<S: Real> LegMotion<S> {
 
     /// Normal forces (29) on the outboard and inboard sections of the footpad, lb.
     #[inline(always)]
-    pub(super) fn pad_section_forces(&self, pose: &LegPose<S>, pieces: &LegPieces<S>) -> [S; 2] {
+    pub(super) fn pad_section_forces(
+        &self,
+        frame: &LegFrame<S>,
+        pose: &LegPose<S>,
+        leg: &LegState<S>,
+        pieces: &LegPieces<S>,
+        drags: bool,
+    ) -> [S; 2] {
         let per_pressure = self.pad_force_per_pressure(pose);
+        let pressures = self.pad_pressures(frame, pose, leg, pieces, drags);
+        pressures.map(|pressure| per_pressure * pressure)
+    }
+
+    /// Relative pressures on the outboard and inboard section of the footpad, with that of soil that they push aside if it `drags`.
+    #[inline(always)]
+    pub(super) fn pad_pressures(
+        &self,
+        frame: &LegFrame<S>,
+        pose: &LegPose<S>,
+        leg: &LegState<S>,
+        pieces: &LegPieces<S>,
+        drags: bool,
+    ) -> [S; 2] {
+        let mut pressures = self.still_pad_pressures(pose, pieces);
+        if drags {
+            let rates = self.pad_rates(frame, pose, leg, pieces);
+            for k in [0, 1] {
+                pressures[k] += pieces.pad[k].drag_at(rates[k]);
+            }
+        }
+        pressures
+    }
+
+    /// The same on soil without drag.
+    #[inline(always)]
+    pub(super) fn still_pad_pressures(&self, pose: &LegPose<S>, pieces: &LegPieces<S>) -> [S; 2] {
         let [outer, inner] = pose.pad_interference;
-        [
-            per_pressure * pieces.pad[0].at(outer),
-            per_pressure * pieces.pad[1].at(inner),
-        ]
+        [pieces.pad[0].at(outer), pieces.pad[1].at(inner)]
+    }
+
+    /// Rates of the interferences of both sections, ft/s.
+    #[inline(always)]
+    pub(super) fn pad_rates(
+        &self,
+        frame: &LegFrame<S>,
+        pose: &LegPose<S>,
+        leg: &LegState<S>,
+        pieces: &LegPieces<S>,
+    ) -> [S; 2] {
+        let geometry = &self.geometry;
+        let link_rate = pieces.link.moving * leg.link_rate;
+        let pivot = frame.pivot_velocity(pose, geometry.link_length() * link_rate);
+        let unclipped = pieces.hinge.unclipped_speed(leg.pad_turn, leg.pad_rate);
+        let pad_speed = pieces.hinge.speed(unclipped);
+        geometry.pad_interference_rates(frame, pose, pivot.inward, link_rate, pad_speed)
     }
 
     /// Load on the edge of the footpad, lb: 0 on its face.
@@ -225,15 +273,21 @@ impl<S: Real> LegMotion<S> {
         self.block_strength * (S::one() + cos_block * cos_block)
     }
 
-    /// Normal force (33) on the block, lb.
+    /// Normal force (33) on the block, lb, with that of soil that it pushes aside if it `drags`.
     #[inline(always)]
     pub(super) fn block_normal(
         &self,
         frame: &LegFrame<S>,
         pose: &LegPose<S>,
         pieces: &LegPieces<S>,
+        drags: bool,
     ) -> S {
-        self.block_force_per_pressure(frame) * pieces.block.at(pose.block_interference)
+        let mut pressure = pieces.block.at(pose.block_interference);
+        if drags {
+            let inward = frame.block_velocity(pose).inward;
+            pressure += (pieces.block).drag_at(frame.block_interference_rate(inward));
+        }
+        self.block_force_per_pressure(frame) * pressure
     }
 
     /// Action of one leg on the body and itself, and its signals. Without `SIGNALS`, elements that are not `pressed`
@@ -271,11 +325,12 @@ impl<S: Real> LegMotion<S> {
         let (pad, pad_torque, pad_leaning_power) = if !SIGNALS && !pressed.pads {
             (Touch::none(), S::zero(), S::zero())
         } else if FACE {
-            self.face_touch(&frame, &pose, leg, pieces, link_length * leg.link_rate)
+            self.face_touch(&frame, &pose, leg, pieces, pressed.drag)
         } else {
             let velocity = frame.pivot_velocity(&pose, link_length * leg.link_rate);
             let per_pressure = self.pad_force_per_pressure(&pose);
-            let pressure = [pieces.pad[0].at(outer), pieces.pad[1].at(inner)];
+            let drags = FULL && pressed.drag;
+            let pressure = self.pad_pressures(&frame, &pose, leg, pieces, drags);
             let on_face = per_pressure * (pressure[0] + pressure[1]);
             let edge_load = if FULL {
                 self.edge_load(&frame, &pose, pieces)
@@ -306,7 +361,7 @@ impl<S: Real> LegMotion<S> {
             (Touch::none(), S::zero())
         } else {
             let velocity = frame.block_velocity(&pose);
-            let normal = self.block_normal(&frame, &pose, pieces);
+            let normal = self.block_normal(&frame, &pose, pieces, FULL && pressed.drag);
             let drag =
                 self.block_friction * pieces.block_friction.per_speed(velocity.sliding_squared);
             let mut block = Touch::new(

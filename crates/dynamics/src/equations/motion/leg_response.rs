@@ -99,35 +99,50 @@ impl<S: Real> LegMotion<S> {
         };
         if pressed.pads {
             if FACE {
-                self.face_responds(&posture, response);
+                self.face_responds(&posture, pressed.drag, response);
             } else {
-                self.footpad_responds(&posture, response);
+                self.footpad_responds(&posture, pressed.drag, response);
             }
         }
         if pressed.blocks {
-            self.block_responds::<FACE>(&posture, response);
+            self.block_responds::<FACE>(&posture, pressed.drag, response);
         }
         self.strut_responds(&posture, response);
     }
 
     /// Footpad: normal force (29), friction (39), torque about its hinge (52), (69), and the link's share (49), (68).
     #[inline(always)]
-    fn footpad_responds(&self, posture: &Posture<'_, S>, response: &mut LegResponse<S>) {
-        let Posture { pose, pieces, .. } = *posture;
+    fn footpad_responds(
+        &self,
+        posture: &Posture<'_, S>,
+        drags: bool,
+        response: &mut LegResponse<S>,
+    ) {
+        let Posture {
+            frame,
+            pose,
+            leg,
+            pieces,
+            ..
+        } = *posture;
         let geometry = &self.geometry;
         let contact = Contact::of_pad(self, posture);
         let line = contact.line();
         let along_line = contact.along(&line);
         let per_pressure = self.pad_force_per_pressure(pose);
-        let section_forces = self.pad_section_forces(pose, pieces);
+        let section_forces = self.pad_section_forces(frame, pose, leg, pieces, drags);
         let mut hinge_lever = PlaneDirection::zero();
-        let mut press = Coordinates::zero();
+        let (mut press, mut drag) = (Coordinates::zero(), Coordinates::zero());
         for k in [0, 1] {
             let centroid = geometry.section_centroid(pose, k);
             let borne = section_forces[k];
             let deeper = contact.deeper(pose, &centroid);
             let slope = pieces.pad[k].slope();
             press.add(slope, &deeper);
+            if drags {
+                let rate = self.pad_rates(frame, pose, leg, pieces)[k];
+                drag.add(pieces.pad[k].drag_damping(rate), &deeper);
+            }
             if response.swings_pads {
                 // The lever of (52).
                 let lever = centroid.turned();
@@ -143,17 +158,17 @@ impl<S: Real> LegMotion<S> {
         }
         let edge_stiffness = pieces.edge.load.slope();
         if !edge_stiffness.is_zero() {
-            let deeper = contact.lowered(&geometry.edge(posture.frame, pose));
+            let deeper = contact.lowered(&geometry.edge(frame, pose));
             press.add(edge_stiffness / per_pressure, &deeper);
         }
-        let edge_load = self.edge_load(posture.frame, pose, pieces);
+        let edge_load = self.edge_load(frame, pose, pieces);
         let force = section_forces[0] + section_forces[1] + edge_load;
         let [along, across] = contact.rub(force, &hinge_lever);
         response.push(&along);
         response.push(&across);
         response.push(&ForceDerivative {
             force: contact.force(&along_line, -per_pressure, S::zero()),
-            velocity: Coordinates::zero(),
+            velocity: drag,
             displacement: press,
         });
         let force = line * -force;
@@ -165,14 +180,17 @@ impl<S: Real> LegMotion<S> {
 
     /// Response of the forces of ground that acts at the face of the footpad.
     #[inline(always)]
-    fn face_responds(&self, posture: &Posture<'_, S>, response: &mut LegResponse<S>) {
+    fn face_responds(&self, posture: &Posture<'_, S>, drags: bool, response: &mut LegResponse<S>) {
         let Posture {
             frame,
             pose,
+            leg,
             pieces,
             ..
         } = *posture;
-        let press = self.press(frame, pose, pieces);
+        let still = self.still_pad_pressures(pose, pieces);
+        let pressures = self.pad_pressures(frame, pose, leg, pieces, drags);
+        let press = self.press(&pressures, frame, pose, pieces);
         let contact = Contact::of_face(self, posture, press.place);
         for rubbing in contact.rub(press.normal, &PlaneDirection::zero()) {
             response.push(&rubbing);
@@ -183,7 +201,6 @@ impl<S: Real> LegMotion<S> {
         // Torque (52) under constant forces: its levers turn with the pad, and the forces with the ground.
         let mut on_hinge = contact.turned(&force.cross(&by_hinge), S::zero());
         let per_pressure = self.pad_force_per_pressure(pose);
-        let pressures = self.pad_pressures(pose, pieces);
         let (cosine, sine) = (pose.pad_inclination, pose.pad_y_normal);
         let two = S::constant(2.0);
         let upright = pose.pad_z.in_leg_axes();
@@ -191,8 +208,8 @@ impl<S: Real> LegMotion<S> {
         let mut leaning = S::zero();
         for k in [0, 1] {
             let centroid = self.geometry.section_centroid(pose, k);
-            let (pressure, slope) = (pressures[k], pieces.pad[k].slope());
-            let borne = per_pressure * pressure;
+            let (pressure, slope) = (still[k], pieces.pad[k].slope());
+            let borne = per_pressure * pressures[k];
             let deeper = contact.deeper(pose, &centroid);
             let stored = self.pad_leaning * pressure;
             leaning += stored * pressure;
@@ -211,6 +228,16 @@ impl<S: Real> LegMotion<S> {
             });
             let torque = borne * pose.pad_y.dot(&line) - leaning_change * sine;
             on_hinge.add(torque, &deeper);
+            if drags {
+                let rate = self.pad_rates(frame, pose, leg, pieces)[k];
+                let damping = per_pressure * pieces.pad[k].drag_damping(rate);
+                let along = contact.along_beside(&line, &centroid.in_leg_axes());
+                response.push(&ForceDerivative {
+                    force: contact.force(&along, -damping, S::zero()),
+                    velocity: deeper,
+                    displacement: Coordinates::zero(),
+                });
+            }
         }
         let edge_stiffness = pieces.edge.load.slope();
         if !edge_stiffness.is_zero() {
@@ -260,6 +287,7 @@ impl<S: Real> LegMotion<S> {
     fn block_responds<const FACE: bool>(
         &self,
         posture: &Posture<'_, S>,
+        drags: bool,
         response: &mut LegResponse<S>,
     ) {
         let Posture {
@@ -269,15 +297,25 @@ impl<S: Real> LegMotion<S> {
             ..
         } = *posture;
         let contact = Contact::of_block(self, posture);
-        let force = self.block_normal(frame, pose, pieces);
+        let force = self.block_normal(frame, pose, pieces, drags);
         let [along, across] = contact.rub(force, &PlaneDirection::zero());
         response.push(&along);
         response.push(&across);
-        let per_depth = self.block_force_per_pressure(frame) * pieces.block.slope();
+        let per_pressure = self.block_force_per_pressure(frame);
+        let per_depth = per_pressure * pieces.block.slope();
         let along_line = contact.along(&contact.line());
         let mut deeper = contact.along(&frame.block.normal);
         // Change of an interference per depth.
         deeper.body *= frame.block.upright;
+        if drags {
+            let rate = frame.block_interference_rate(contact.velocity.inward);
+            let damping = per_pressure * pieces.block.drag_damping(rate);
+            response.push(&ForceDerivative {
+                force: contact.force(&along_line, -damping, S::zero()),
+                velocity: deeper,
+                displacement: Coordinates::zero(),
+            });
+        }
         let mut push = contact.force(&along_line, -per_depth, S::zero());
         if FACE {
             // A block gets shorter and leans on the ground.

@@ -16,6 +16,8 @@ pub(super) struct Pressed {
     pub(super) blocks: bool,
     /// A footpad on a stop of its hinge.
     pub(super) stops: bool,
+    /// A footpad or a block that pushes soil aside.
+    pub(super) drag: bool,
 }
 
 impl Pressed {
@@ -27,6 +29,7 @@ impl Pressed {
             pads: !(outer.is_slack() && inner.is_slack() && legs.edge.load.is_slack()),
             blocks: !legs.block.is_slack(),
             stops: legs.hinge.is_pressed(),
+            drag: outer.has_drag() || inner.has_drag() || legs.block.has_drag(),
         }
     }
 }
@@ -65,6 +68,12 @@ impl<S: Real> Pieces<S> {
     #[inline(always)]
     pub fn has_edges(&self) -> bool {
         !self.legs.iter().all(|leg| leg.leg.edge.is_active.is_zero())
+    }
+
+    /// Returns whether soil resists any leg by its inertia.
+    #[inline(always)]
+    pub fn have_drag(&self) -> bool {
+        self.legs.iter().any(|leg| leg.pressed.drag)
     }
 
     /// Strut of leg `leg`.

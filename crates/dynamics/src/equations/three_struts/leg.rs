@@ -145,6 +145,12 @@ impl<S: Real> Leg<S> {
         pieces.struts[k].at(stroke) + self.damping(k, rate)[0] * rate
     }
 
+    /// Normal force of the ground on the footpad at an interference (ft) and its rate (ft/s), lb.
+    #[inline(always)]
+    pub(super) fn normal(&self, pieces: &LegPieces<S>, interference: S, rate: S) -> S {
+        self.pad_strength * (pieces.pad.at(interference) + pieces.pad.drag_at(rate))
+    }
+
     /// The leg with its foot in a state.
     #[inline(always)]
     pub(super) fn act(
@@ -187,7 +193,7 @@ impl<S: Real> Leg<S> {
                 inward,
                 sliding,
                 sliding_squared,
-                normal: self.pad_strength * pieces.pad.at(interference),
+                normal: self.normal(pieces, interference, inward),
                 drag: self.friction * pieces.friction.per_speed(sliding_squared),
             },
             interference,

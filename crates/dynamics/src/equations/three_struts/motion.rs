@@ -9,7 +9,8 @@ use crate::integrator::event::SignalValues;
 use crate::kinematics::Surface;
 use crate::lanes::Lanes;
 use crate::laws::three_struts::{
-    INTERFERENCE, LOAD, LegPieces, LegSignals, SIGNALS, SLIDING, STROKE_RATES, STROKES, STRUTS,
+    INTERFERENCE, INTERFERENCE_RATE, LOAD, LegPieces, LegSignals, SIGNALS, SLIDING, STROKE_RATES,
+    STROKES, STRUTS,
 };
 use crate::per_leg::PerLeg;
 use crate::products::times;
@@ -165,8 +166,10 @@ impl Motion {
         let mut fastest = [Quad::constant(0.0); 2];
         for (quad, leg) in self.quads.iter().enumerate() {
             let (signals, pieces) = (&signals.0[quad], &pieces.quads[quad]);
-            let normal = leg.pad_strength * pieces.pad.at(signals[INTERFERENCE]);
-            let mut damping = normal * leg.friction * pieces.friction.per_speed(signals[SLIDING]);
+            let rate = signals[INTERFERENCE_RATE];
+            let normal = leg.normal(pieces, signals[INTERFERENCE], rate);
+            let mut damping = normal * leg.friction * pieces.friction.per_speed(signals[SLIDING])
+                + leg.pad_strength * pieces.pad.drag_damping(rate);
             let mut springs = leg.pad_strength * pieces.pad.slope();
             let mut across = Quad::constant(0.0);
             for k in 0..STRUTS {
@@ -286,7 +289,8 @@ impl Motion {
     /// Forces on a leg whose signals are these.
     pub fn forces(&self, leg: usize, signals: &Signals, pieces: &Pieces) -> LegForces {
         let (of_leg, signals, pieces) = (&self.legs[leg], signals.leg(leg), &pieces.legs[leg]);
-        let normal = of_leg.pad_strength * pieces.pad.at(signals[INTERFERENCE]);
+        let [interference, rate] = [INTERFERENCE, INTERFERENCE_RATE].map(|k| signals[k]);
+        let normal = of_leg.normal(pieces, interference, rate);
         let sliding_squared = signals[SLIDING];
         let drag = of_leg.friction * pieces.friction.per_speed(sliding_squared);
         let secondary = |k: usize| {

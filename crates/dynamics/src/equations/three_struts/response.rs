@@ -136,6 +136,7 @@ impl Leg<Quad> {
         let along_ground = Matrix3::identity() - outer(&normal, &normal);
         let line = normal + sliding * contact.drag;
         let stiffness = self.pad_strength * pieces.pad.slope();
+        let drag = self.pad_strength * pieces.pad.drag_damping(contact.inward);
         // Along its direction friction changes with the speed, across it only turns.
         let turning = contact.normal * contact.drag;
         let growing = contact.normal * self.friction * pieces.friction.change();
@@ -151,7 +152,8 @@ impl Leg<Quad> {
             pull: cross_matrix(&action.pull),
             ground_stiffness: outer(&(line * -stiffness), &normal),
             ground_damping: -(along_ground * turning)
-                - outer(&(direction * (growing - turning)), &direction),
+                - outer(&(direction * (growing - turning)), &direction)
+                - outer(&(line * drag), &normal),
         }
     }
 

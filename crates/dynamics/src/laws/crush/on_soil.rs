@@ -71,6 +71,7 @@ impl CrushLaw {
             segments: front.into(),
             sinkage: sinkage.into(),
             compliance: 1.0 / unloading,
+            drag: bearing.inertial_drag() / crush_pressure,
             ..self
         }
     }
@@ -78,6 +79,13 @@ impl CrushLaw {
     /// Returns whether the element stands on soil.
     pub fn is_on_soil(&self) -> bool {
         !self.sinkage.is_empty()
+    }
+
+    /// Relative pressure per squared rate of the interference on a line of the front, s²/ft²: the soil sinks at its part of
+    /// the rate.
+    pub(super) fn front_drag(&self, segment: usize) -> f64 {
+        let sinking = self.sinkage.get(segment).map_or(0.0, |line| line.slope);
+        self.drag * sinking * sinking
     }
 
     /// Part of a set P (ft) that is the element's own.

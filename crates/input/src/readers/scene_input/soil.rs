@@ -11,7 +11,7 @@ use crate::readers::numbers::keys_of;
 
 /// The table of soil, and its keys.
 pub(crate) const SOIL: &str = "soil";
-pub(crate) const SOIL_KEYS: [&str; 4] = keys_of(quantities::SOIL);
+pub(crate) const SOIL_KEYS: [&str; 5] = keys_of(quantities::SOIL);
 
 /// Soils by name, each with its bearing strength, kPa, at 5 cm: those of the Lunar Regolith Database. Only that of Surveyor 3 tells
 /// sinkages, 20 kPa at 2 cm and 60 kPa at 5 cm, here a straight line; 5 cm of the others are an assumption.
@@ -57,6 +57,7 @@ impl NamedConditions {
             ("bearing_depth_cm", 5.0),
             ("bearing_exponent", 1.0),
             ("rebound", REBOUND),
+            ("inertial_drag_kg_m3", 0.0),
         ];
         for ((key, name), (spelling, number)) in SOIL_KEYS.iter().zip(names()).zip(numbers) {
             if let Some(unit) = conversion(spelling, key) {
@@ -96,9 +97,9 @@ impl NamedConditions {
         if names.iter().all(|name| self.get(name).is_none()) {
             return Ok(Soil::Rock);
         }
-        let [strength, depth, exponent, rebound] = names.map(|name| self.need(name));
-        let bearing = Bearing::new(strength?, depth?, exponent?, rebound?);
-        bearing
+        let [strength, depth, exponent, rebound, drag] = names.map(|name| self.need(name));
+        let (bearing, drag) = (Bearing::new(strength?, depth?, exponent?, rebound?), drag?);
+        (bearing.and_then(|bearing| bearing.with_inertial_drag(drag)))
             .map(Soil::Yielding)
             .map_err(|invalid| self.fault(invalid))
     }
