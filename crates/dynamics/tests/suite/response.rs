@@ -1,6 +1,6 @@
 //! The response is what forces do when the motion changes a little.
 
-use crate::common::bare::{Bare, pressed_by};
+use crate::common::bare::{Bare, pressed_by, pressed_on};
 use crate::common::{off_center, table_4_1};
 use nalgebra::{Vector3, Vector4};
 use touchdown_dynamics::integrator::rosenbrock::StageEquations;
@@ -8,6 +8,7 @@ use touchdown_dynamics::integrator::step::StateVector;
 use touchdown_dynamics::motion::Signal;
 use touchdown_dynamics::response::Factors;
 use touchdown_dynamics::rules::ContactRule;
+use touchdown_dynamics::soil::{Bearing, Soil};
 use touchdown_dynamics::state::{LegState, State, quaternion_rate};
 
 const STILL: LegState<f64> = LegState {
@@ -116,6 +117,38 @@ fn implicit_stages_solve_the_equations_of_small_motions() {
             ContactRule::Face => 23,
         };
         assert!(answers >= least, "{rule:?}: {answers}");
+    }
+}
+
+/// Soil that is pushed aside damps: stages know of it but for what moves the centre of pressure, and about the hinge where forces
+/// act at the pivot.
+#[test]
+fn implicit_stages_know_the_drag_of_soil() {
+    let tau = 3e-4;
+    let soil = Bearing::new(800.0, 0.16, 1.0, 0.01).unwrap();
+    let soil = Soil::Yielding(soil.with_inertial_drag(3.0).unwrap());
+    for (rule, share) in [(ContactRule::Pivot, 0.2), (ContactRule::Face, 0.04)] {
+        let (bare, state) = pressed_on(&table_4_1(), [0.3, 0.4, 8.0], rule, soil);
+        let response = bare.response(&state);
+        let mut factors = Factors::none(3);
+        let system = response.over(tau, &mut factors);
+        let all = changes(&state.body().quaternion);
+        let rotations = 9..12;
+        for (k, r) in all
+            .iter()
+            .enumerate()
+            .filter(|(k, _)| !rotations.contains(k))
+        {
+            let mut u = State::zero(3);
+            system.solve(r, &mut u);
+            let answered = answered(&bare, &state, &u);
+            let off = State::zero(3).advanced([1.0 / tau, -1.0, -1.0], [&u, &answered, r]);
+            let (off, answered) = (greatest(&off), greatest(&answered));
+            assert!(
+                off < share * answered.max(1.0),
+                "{rule:?}, change {k}: off {off:e} of {answered:e}"
+            );
+        }
     }
 }
 

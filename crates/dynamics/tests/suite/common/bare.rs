@@ -11,12 +11,13 @@ use touchdown_dynamics::motion::{FreeFlight, LegLoads, Motion, Pieces, Signal, S
 use touchdown_dynamics::per_leg::PerLeg;
 use touchdown_dynamics::response::{Factors, Response};
 use touchdown_dynamics::rules::ContactRule;
-use touchdown_dynamics::scene::{CrushRule, Scene};
+use touchdown_dynamics::scene::{Conditions, CrushRule, Scene};
+use touchdown_dynamics::soil::Soil;
 use touchdown_dynamics::state::State;
 use touchdown_dynamics::touchdown::touchdown;
 use touchdown_dynamics::vehicle::Vehicle;
 
-use super::level_scene;
+use super::level;
 use super::scenes::pressed_in;
 
 /// A vehicle in a scene with fixed pieces of all laws.
@@ -41,10 +42,11 @@ impl Bare {
         crush: CrushRule,
         contact: ContactRule,
     ) -> Self {
-        let laws: Vec<LegLaws> = (vehicle.hinged_legs().iter())
-            .map(|leg| {
+        let laws: Vec<LegLaws> = (vehicle.hinged_legs().iter().enumerate())
+            .map(|(j, leg)| {
                 let laws = leg.laws().clone().with_crush_rule(crush);
-                laws.with_contact_rule(contact)
+                let soil = scene.conditions().soil_under(j);
+                laws.with_contact_rule(contact).on_soil(&soil, leg.design())
             })
             .collect();
         let untouched: Vec<_> = (laws.iter())
@@ -245,7 +247,21 @@ pub fn pressed_by(
     sliding: f64,
     rule: ContactRule,
 ) -> (Bare, State<f64>) {
-    let scene = level_scene(170.0, -10.0, 11.0);
+    pressed_on(vehicle, [depth, sliding, 0.0], rule, Soil::Rock)
+}
+
+/// The same on this soil, into which it also sinks: depth, sliding and sinking in ft and ft/s.
+pub fn pressed_on(
+    vehicle: &Vehicle,
+    [depth, sliding, sinking]: [f64; 3],
+    rule: ContactRule,
+    soil: Soil,
+) -> (Bare, State<f64>) {
+    let scene = Scene::new(Conditions {
+        soil,
+        ..level(170.0, -10.0, 11.0)
+    });
+    let scene = scene.unwrap();
     let mut bare = Bare::by_rules(vehicle, &scene, CrushRule::PivotRate, rule);
     let first = touchdown(vehicle, &scene, &bare.motion);
     let mut state = pressed_in(first, [-0.8, 0.3, -0.1], Vector3::new(0.2, -0.3, 0.1));
@@ -253,7 +269,7 @@ pub fn pressed_by(
     let slope = scene.conditions().slope;
     let (sine, cosine) = (0.5 * slope).sin_cos();
     body.quaternion = Vector4::new(cosine, -sine, 0.0, 0.0);
-    body.velocity = Vector3::new(sliding, 0.3 * sliding, 0.0);
+    body.velocity = Vector3::new(sliding, 0.3 * sliding, sinking);
     state.set_body(&body);
     let deep = bare.signals(&state).of(0, Signal::OuterInterference);
     body.position.z += (depth - deep) / slope.cos();
