@@ -94,7 +94,7 @@ impl Bearing {
         lines(&knots)
     }
 
-    /// The same soil with an inertial drag α, slug/ft³: what a plate that sinks at a rate ż pushes aside resists with α ż².
+    /// Gives the soil an inertial drag α, slug/ft³: what a plate that sinks at a rate ż pushes aside resists with α ż².
     ///
     /// # Errors
     /// If α is outside its range.

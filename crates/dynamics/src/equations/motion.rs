@@ -12,6 +12,7 @@ mod footing;
 mod free_flight;
 mod leg;
 mod leg_response;
+mod pad_pressure;
 mod pieces;
 mod signals;
 mod stops;

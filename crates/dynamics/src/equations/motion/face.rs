@@ -23,8 +23,9 @@ pub(super) struct Press<S> {
 }
 
 impl<S: Real> LegMotion<S> {
-    /// Place and magnitude of the ground's push on a footpad by these relative pressures on its sections. Their normal forces amount to one at their centre of pressure, with
-    /// one friction force. Between unloaded sections the centre is in the middle.
+    /// Place and magnitude of the ground's push on a footpad by these relative pressures on its sections. Their normal
+    /// forces amount to one at their centre of pressure, with one friction force. Between unloaded sections the centre is in
+    /// the middle.
     #[inline(always)]
     pub(super) fn press(
         &self,
@@ -59,8 +60,8 @@ impl<S: Real> LegMotion<S> {
         }
     }
 
-    /// Action of the ground on a footpad; its torque (52) on the hinge, opening
-    /// positive (ft·lb); and the power that leaning takes up (ft·lb/s).
+    /// Action of the ground on a footpad; its torque (52) on the hinge, opening positive (ft·lb); and the power that leaning
+    /// takes up (ft·lb/s).
     #[inline(always)]
     pub(super) fn face_touch(
         &self,

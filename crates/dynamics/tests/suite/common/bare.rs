@@ -250,7 +250,7 @@ pub fn pressed_by(
     pressed_on(vehicle, [depth, sliding, 0.0], rule, Soil::Rock)
 }
 
-/// The same on this soil, into which it also sinks: depth, sliding and sinking in ft and ft/s.
+/// A vehicle as in [`pressed_by`] on this soil, into which it also sinks: depth (ft), sliding and sinking (ft/s).
 pub fn pressed_on(
     vehicle: &Vehicle,
     [depth, sliding, sinking]: [f64; 3],

@@ -57,7 +57,6 @@ impl NamedConditions {
             ("bearing_depth_cm", 5.0),
             ("bearing_exponent", 1.0),
             ("rebound", REBOUND),
-            ("inertial_drag_kg_m3", 0.0),
         ];
         for ((key, name), (spelling, number)) in SOIL_KEYS.iter().zip(names()).zip(numbers) {
             if let Some(unit) = conversion(spelling, key) {
